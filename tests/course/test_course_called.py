@@ -8,8 +8,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.laws import few
-from tests.studies import course_text, studied
-from vecpoly.report.course.results.drawings import chosen
+from tests.studies import course_text
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.flow.text.continued import continued
 from vecpoly.words import Lang
@@ -54,9 +53,3 @@ def test_the_part_of_a_table_on_a_later_page_says_of_which_it_is_one() -> None:
     assert head.caption == whole.caption and tail.caption == "Table 5-2 (continued)"
     assert head.goal == whole.goal and tail.goal == ""
     assert (*head.rows, *tail.rows) == whole.rows
-
-
-@pytest.mark.parametrize("name", few(["A-27", "4-6"], 2))
-def test_the_sheet_of_the_given_position_carries_what_was_asked(name: str) -> None:
-    drawn = chosen(studied(name), "en")[0]
-    assert any(sheet.results for sheet in drawn.sheets)

@@ -210,3 +210,20 @@ def test_the_assignment_of_chapter_7_holds_every_problem_of_its_folder() -> None
     root = Path(__file__).resolve().parents[2] / "problems"
     listed = yaml.safe_load((root / "assignment-ch7.yaml").read_text(encoding="utf-8"))["problems"]
     assert sorted(listed) == sorted(path.stem for path in (root / "ch7").glob("*.yaml"))
+
+
+def test_sums_over_all_links_are_displayed_and_stand_in_no_sentence() -> None:
+    """M_e = was left at the end of a line, its sum at the beginning of the next."""
+    text, _ = course_text("six-bar-dynamic", "zh")
+    chapter = text[text.index("机械的运转") : text.index("个周期内的功")]
+    assert chapter.count("<formula ref=") >= 2 and "Σ[" not in chapter
+
+
+def test_the_difference_of_two_energies_has_one_count_of_decimals() -> None:
+    text, _ = course_text("six-bar-dynamic", "zh")
+    assert "2.3 − (−1011.4) = 1013.7 J" in text
+
+
+def test_the_zeros_of_the_equivalent_inertia_are_all_told() -> None:
+    text, _ = course_text("six-bar-dynamic", "zh")
+    assert "（$φ_1$ = 196.8°、343.2°）" in text.replace("$φ_{1}$", "$φ_1$")

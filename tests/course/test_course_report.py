@@ -36,8 +36,10 @@ from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 from vecpoly.report.course.results.positions import at_position
 from vecpoly.report.document import write_report
+from vecpoly.report.flow.listing import Listing
 from vecpoly.report.flow.table import DataTable
 from vecpoly.solution import solve
+from vecpoly.words import Lang
 
 CLOSED = {"RRR", "RRP", "RPR", "PRP", "RPP", "RRG", "gear"}
 
@@ -245,9 +247,15 @@ def test_the_contents_name_the_page_on_which_each_chapter_begins(report: Path) -
         assert re.sub(r"\s", "", head) in texts(report)[int(page) - 1], (head, page)
 
 
-def test_the_appendix_holds_the_problem_file(report: Path) -> None:
-    text = "".join(texts(report))
-    assert re.sub(r"\s", "", "find: [p_F, v_F, a_F, omega_5, alpha_5]") in text
+@pytest.mark.parametrize("lang", ["zh", "en"])
+def test_the_appendix_tables_all_given_numbers_and_prints_no_problem_file(lang: Lang) -> None:
+    text, objects = course_words("A-27", lang)
+    (table,) = (one for one in objects.named.values() if isinstance(one, DataTable) and "A-1" in one.caption)
+    cells = [cell for row in table.rows for cell in row]
+    assert {datum.symbol for datum in studied("A-27").problem.given.data if datum.words is None} <= {
+        cell.strip("$") for cell in cells
+    }
+    assert not any(f'ref="{name}"' in text for name, one in objects.named.items() if isinstance(one, Listing))
 
 
 def test_the_report_says_where_the_largest_acceleration_is(report: Path) -> None:

@@ -22,4 +22,4 @@ def test_a_table_of_what_comes_again_in_every_turn_lists_one_of_them() -> None:
 def test_how_far_a_point_runs_to_and_fro_is_told_of_a_turn() -> None:
     it = studied("engine-card")
     (said,) = path_sentences(it.whole, it.path("C"))
-    assert "passed twice a turn of the input link, to and fro: 200 mm in all" in said.en
+    assert "passes it twice per turn of the input link: the distance travelled is 200 mm" in said.en

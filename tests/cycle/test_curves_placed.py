@@ -18,6 +18,7 @@ from vecpoly.curves.trace import trace
 from vecpoly.curves.turning import turning
 from vecpoly.cycle import cycle
 from vecpoly.drawing.scene import TextBox
+from vecpoly.figures.hue import Hue
 from vecpoly.problem.load import load, loads
 
 X = np.linspace(0.0, 360.0, 721)
@@ -157,7 +158,7 @@ def test_a_path_that_is_run_to_and_fro_is_drawn_once() -> None:
     assert np.hypot(*round_.T) == pytest.approx(np.full(len(round_), 30.0))
 
 
-def test_positions_of_the_mechanism_are_drawn_thin_and_its_own_thick_with_all_its_letters() -> None:
+def test_four_positions_of_the_mechanism_are_drawn_in_inks_of_their_own_and_the_given_one_thick_and_black() -> None:
     plot = poses(cycle(loads(CRANK)), "C")
     lines = [np.asarray(line.get_xydata()) for axes in plot.figure.axes for line in axes.lines]
     cranks = {
@@ -165,8 +166,13 @@ def test_positions_of_the_mechanism_are_drawn_thin_and_its_own_thick_with_all_it
         for line in lines
         if len(line) == 2 and np.allclose(line[0], 0) and abs(np.hypot(*line[1]) - 30) < 1e-6
     }
-    assert {round(np.degrees(np.arctan2(y, x))) % 360 for x, y in cranks} == {*range(0, 360, 30), 50}
-    assert plot.title.en == "12 positions of the mechanism, and the path of $C$"
+    assert {round(np.degrees(np.arctan2(y, x))) % 360 for x, y in cranks} == {0, 90, 180, 270, 50}
+    every = [line for axes in plot.figure.axes for line in axes.lines if line.get_marker() == "None"]
+    drawn = [(float(line.get_linewidth()), line.get_color()) for line in every]
+    assert max(drawn)[1] == Hue.BLACK.value and len({colour for _, colour in drawn}) == 5
+    told = [text for axes in plot.figure.axes for text in axes.texts if text.get_text().endswith("°")]
+    assert [text.get_text() for text in told] == ["0°", "90°", "180°", "270°"]
+    assert len({text.get_color() for text in told}) == 4
     texts = [item for item in plot.scene.items if isinstance(item, TextBox)]
     assert len(texts) >= 3 + 2 and plot.width <= 150.5 and plot.height <= 105.5
     assert style.number(2 * pi) and plot.width > 60.0

@@ -7,17 +7,18 @@ from functools import cache
 
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
 
 from tests.studies import studied
 from vecpoly.curves import curves, given_values, hodograph, trace
 from vecpoly.curves.flat import plane
-from vecpoly.curves.peaks import exact, extremes, figures, told
+from vecpoly.curves.peaks import SIZE, exact, extremes, figures, told
 from vecpoly.curves.place import Placer
-from vecpoly.curves.poses import poses
 from vecpoly.cycle import Cycle, Extremes, Spot, cycle
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.problem.load import load
 from vecpoly.report.course.results.plots import inks
+from vecpoly.typeset import layout_words
 from vecpoly.words import Words
 
 TOLD = re.compile(r"(−?[\d.]+) \((−?[\d.]+)°\)")
@@ -59,6 +60,38 @@ def test_the_greatest_and_the_least_are_told_with_their_places(name: str, key: s
             and abs((numbers(place) - np.degrees(it.reduced(spot.phi)) + 180) % 360 - 180) < 0.6
             for value, place in told
         )
+
+
+def _seen(at: Axes) -> tuple[set[tuple[float, ...]], set[tuple[float, ...]]]:
+    """The inks of the dots, and of the numbers."""
+    dots = {tuple(line.get_markeredgecolor()) for line in at.get_lines() if line.get_marker() == "o"}
+    return dots, {tuple(text.get_color()) for text in at.texts if TOLD.fullmatch(text.get_text())}
+
+
+@pytest.mark.parametrize(
+    ("name", "keys"),
+    [("A-27-c", ("omega_2", "omega_3", "omega_5")), ("A-27-c", ("alpha_2", "alpha_3", "alpha_5")), ("3-9", ("v_E",))],
+)
+def test_every_dot_has_its_number_in_the_ink_of_its_curve(name: str, keys: tuple[str, ...]) -> None:
+    it = studied(name)
+    at = curves(it.turn, keys, known=it.extremes).figure.axes[0]
+    dots, numbers_ = _seen(at)
+    assert dots and dots == numbers_
+    count = sum(np.size(line.get_xdata()) for line in at.get_lines() if line.get_marker() == "o")
+    assert count == sum(text.get_text().count("°") for text in at.texts if re.search(r"\(−?\d", text.get_text()))
+
+
+def test_the_highest_point_of_a_diagram_has_its_number() -> None:
+    it = studied("A-27-c")
+    at = curves(it.turn, ("omega_2", "omega_3", "omega_5"), known=it.extremes).figure.axes[0]
+    assert any(text.get_text().startswith("24.15 (96.6°") for text in at.texts)
+
+
+def test_equal_extremes_that_are_nought_but_for_rounding_are_told_together() -> None:
+    """J_e vanishes at both ends of the stroke: the diagram named one of them and the text the other."""
+    it = studied("six-bar-dynamic")
+    at = curves(it.turn, ("J_e",), known=it.extremes).figure.axes[0]
+    assert "0 (196.8°, 343.2°)" in {text.get_text() for text in at.texts}
 
 
 def test_a_bare_plot_tells_none() -> None:
@@ -150,7 +183,7 @@ def test_a_whole_turn_is_parted_into_round_steps_whose_numbers_have_room(width: 
 
 def test_the_number_of_a_point_is_a_subscript_in_captions() -> None:
     turn = turned("engine-card")
-    for title in (trace(turn, ("S2",)).title, poses(turn, "S2").title, curves(turn, ("v_S2", "v_S2.x")).title):
+    for title in (trace(turn, ("S2",)).title, curves(turn, ("v_S2", "v_S2.x")).title):
         assert "S_2" in title.zh and "S_2" in title.en and "$S2$" not in title.zh + title.en, title
 
 
@@ -161,3 +194,15 @@ def test_a_value_that_is_rounding_beside_the_greatest_is_labelled_nought() -> No
     known = Extremes("omega_2", (high,), (low,), (), high, low)
     shown = exact([(0.0, 4.9e-13)], known, turn.drive, turn.info("omega_2"), 1.0)
     assert shown == [(0.0, 0.0)] and told(shown, turn.drive) == "0 (0°)"
+
+
+@pytest.mark.parametrize("name", ["curv-3", "balance-four-bar"])
+def test_the_name_of_the_usual_bound_stands_on_no_curve(name: str) -> None:
+    it = studied(name)
+    at = curves(it.turn, ("gamma_23",), known=it.extremes).figure.axes[0]
+    (text,) = (one for one in at.texts if one.get_text().startswith("[$γ$]"))
+    box = layout_words(text.get_text(), SIZE)
+    right, low = at.transData.transform(text.get_position())
+    curve = max(at.get_lines(), key=lambda line: np.size(line.get_xdata()))
+    x, y = at.transData.transform(curve.get_xydata()).T
+    assert not np.any((x > right - box.width) & (x < right) & (y > low) & (y < low + box.ascent))

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vecpoly.algebra.columns import column, significant
-from vecpoly.report.flow.results.banded import is_banded, is_parted
+from vecpoly.report.flow.results.banded import Rules, is_banded, is_parted
 from vecpoly.report.flow.table import DataTable
 
 MOMENTS = [240.0, 218.625, 197.25, 111.75, 69.0]
@@ -39,4 +39,13 @@ def test_a_long_table_of_numbers_has_a_light_rule_under_every_sixth_row_also_whe
     assert is_parted(3, ["Σ", "0"], False) and not is_parted(3, ["3", "0"], False), "the sums stand apart"
     table = DataTable(["φ", "v"], degrees)
     rest = table._part(20, 37, 400.0, table.set_in(400.0))
-    assert rest._banded and rest._before == 20
+    assert rest._ruling.banded and rest._before == 20
+
+
+def test_a_rule_stands_between_positions_of_several_rows_and_over_no_last_row_alone() -> None:
+    rules = Rules.of(rows := [("286.3", "v"), ("", "ω"), ("349.1", "v"), ("", "ω")])
+    assert [n for n, row in enumerate(rows) if rules.over(n, row)] == [2]
+    assert not Rules.of([("v", "1"), ("ω", "2")]).grouped
+    long = [(str(n), "1") for n in range(25)]
+    assert [n for n, row in enumerate(long) if Rules.of(long).over(n, row)] == [6, 12, 18]
+    assert Rules.of([*long, ("25", "1")]).over(24, ("24", "1"))

@@ -67,5 +67,9 @@ def mark_stations(cycle: Cycle, at: Any, placer: Placer, key: str, factor: float
             continue
         normal = 1j * d
         outward = -normal if (np.conj(normal) * (z - middle)).real < 0 else normal
-        said = style.number(round(float(cycle.drive.factor * q), 1)) + ("°" if cycle.drive.unit == "rad" else "")
-        placer.put(z, said, outward, 2.8)
+        placer.put(z, told_station(cycle, float(q)), outward, 2.8)
+
+
+def told_station(cycle: Cycle, phi: float) -> str:
+    """A position of the drive, to a tenth."""
+    return style.number(round(cycle.drive.factor * phi, 1)) + ("°" if cycle.drive.unit == "rad" else "")

@@ -27,9 +27,9 @@ def given_values(
     width: float = style.WIDTH,
     panel: float = style.PANEL,
 ) -> Plot:
-    """One line over the drive's angle in degrees. label: symbol and unit. marks: dots. level: a dashed line across.
+    """One line over the drive's angle in degrees. label: symbol and unit. level: a dashed line across.
 
-    The greatest and the least of the marks are told in numbers.
+    marks: of these the greatest and the least have a dot and their number.
     """
     x, y = np.asarray(degrees, np.float64), np.asarray(values, np.float64)
     margin = (0.15 if marks else 0.08) * (float(np.ptp(y)) or 1.0)
@@ -47,7 +47,6 @@ def given_values(
         lines.append(np.array([complex(spot, level) for spot in at.get_xlim()]))
     style.zero_line(at, limit)
     style.line(at, x, y, style.PENS[0])
-    style.dots(at, [spot for spot, _ in marks], [value for _, value in marks], style.PENS[0].hue)
     label_peaks(at, lines, [marks], [style.PENS[0].hue], cycle.drive)
     style.text(at, 1.0, foot + room + 2.2, style.axis_label(*label))
     middle = left + (width - left - style.RIGHT) / 2

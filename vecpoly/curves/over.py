@@ -17,6 +17,7 @@ from ..words import Lang, Words
 from . import style
 from .called import title_of
 from .peaks import SIZE, Known, exact, label_peaks, lowest
+from .place import Placer, Points
 from .plot import Plot
 from .record import MM
 from .turning import turning
@@ -24,6 +25,7 @@ from .turning import turning
 _PART = 0.35  # mm: a part of a vector
 _BARE, _TOLD = 0.06, 0.15  # of the range: white above and below curves, where their peaks are told in numbers
 _NONE: Mapping[str, Hue] = {}
+_PLACES = 25  # along the usual bound, where its name may stand
 Pens = tuple[style.Pen, ...]
 _SAMPLE, _AFTER, _GAP, _LINE = 8.5, 1.2, 3.5, 5.0  # of the legend, mm
 
@@ -41,9 +43,10 @@ def curves(
 ) -> Plot:
     """The columns over the drive's position; each unit has a panel of its own.
 
-    A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its
-    middle, the greatest and the least told in numbers. inks: of vectors that have one wherever they appear, by key;
-    curves of one ink differ by their dashes. known: the exact extremes of a column, told in place of the sampled ones.
+    A vector is drawn by its magnitude. width, panel: mm. marks: a dot at the greatest and the least value of each
+    curve, with its number; none where that would stand on a curve. inks: of vectors that have one wherever they appear,
+    by key; curves of one ink differ by their dashes. known: the exact extremes of a column, told in place of those
+    of the samples.
     Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
@@ -159,15 +162,23 @@ def _panel(
         if column.key.startswith("gamma_"):
             spots = lowest(spots)
         spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]
-        told = spots if known is None else exact(spots, known(column.key), drive, column, float(phi[1] - phi[0]))
-        style.dots(at, [x for x, _ in spots], [y for _, y in spots], pen.hue)
-        peaks.append(told)
+        peaks.append(spots if known is None else exact(spots, known(column.key), drive, column, float(phi[1] - phi[0])))
     if all(column.key.startswith("gamma_") for column in group) and limit[0] < USUAL < limit[1]:
         style.line(at, [phi[0], phi[-1]], [USUAL] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
         lines.append(np.array([complex(x, USUAL) for x in (phi[0], phi[-1])]))
-        above, right = USUAL + 0.02 * (limit[1] - limit[0]), phi[-1] - 0.01 * (phi[-1] - phi[0])
-        style.text(at, right, above, f"[$γ$] = {USUAL:.0f}°", ha="right", va="bottom", size=SIZE, data=True)
+        _bound(at, lines[:-1])
     label_peaks(at, lines, peaks, [pen.hue for pen in pens], drive)
+
+
+def _bound(at: Any, lines: list[Points]) -> None:
+    """The name of the usual bound over its line, as far to the right as it stands on no curve."""
+    words, (low, high), (left, right) = f"[$γ$] = {USUAL:.0f}°", at.get_ylim(), at.get_xlim()
+    placer, margin = Placer(at, lines), 0.01 * (right - left)
+    wide = layout_words(words, SIZE).width / at.bbox.width * (right - left)
+    above = USUAL + 0.02 * (high - low)
+    ends = np.linspace(right - margin, left + margin + wide, _PLACES)
+    free = (end for end in ends if placer.is_free(complex(end - wide, above), words, SIZE))
+    style.text(at, float(next(free, ends[0])), above, words, ha="right", va="bottom", size=SIZE, data=True)
 
 
 def _common(group: list[Column]) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from math import floor, log10
+from math import floor, isfinite, log10
 from typing import Any
 
 import numpy as np
@@ -23,25 +23,27 @@ _NEAR = 1e-2  # of the range: how far a sampled extreme may be from the true one
 _NOTHING = 1e-9  # of the greatest value: zero
 _TURN = 360.0  # degrees
 _BOTH = 2  # places that are told beside a value, at most
-_COVERED = 6.0  # what stands under a text: with more than that it is left out
+_COVERED = 0.5  # what stands under a text: with more than that it is left out, so that none stands on a curve
 
 
 def label_peaks(
     at: Any, lines: Iterable[Points], spots: Iterable[Sequence[Spot]], hues: Iterable[Hue], drive: Column
 ) -> None:
-    """Beside the highest and the lowest spot of each curve its value and place, where that covers nothing.
+    """A dot at the highest and the lowest spot of each curve, and beside it value and place in the curve's ink; none
+    where these would cover something. What stands farthest out has its number first.
 
     lines: all curves, in shown units; spots: the turning points of each; hues: the ink of each.
     """
     (low, high), ends = at.get_ylim(), at.get_xlim()
     placer = Placer(at, [*lines, np.array([complex(x, 0.0) for x in ends])] if low < 0 < high else [*lines])
-    every = [extremes(of_one) for of_one in spots]
-    marked = [complex(*spot) for of_one in every for alike, _ in of_one for spot in alike]
+    every = [(alike, up, hue) for of_one, hue in zip(spots, hues, strict=True) for alike, up in extremes(of_one)]
+    marked = [complex(*spot) for alike, _, _ in every for spot in alike]
     if marked:
         placer.keep_clear(np.array(marked), 0.7)
-    for of_one, hue in zip(every, hues, strict=True):
-        for alike, up in of_one:
-            placer.put(complex(*alike[0]), told(alike, drive), 1j * up, SIZE, most=_COVERED, hue=hue)
+    for alike, up, hue in sorted(every, key=lambda one: -abs(one[0][0][1] - (low + high) / 2)):
+        if placer.put(complex(*alike[0]), told(alike, drive), 1j * up, SIZE, most=_COVERED, hue=hue):
+            dotted = alike if len(_places(alike)) <= _BOTH else alike[:1]
+            style.dots(at, [x for x, _ in dotted], [y for _, y in dotted], hue)
 
 
 def extremes(spots: Sequence[Spot]) -> list[tuple[list[Spot], int]]:
@@ -73,18 +75,23 @@ def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column,
 
 
 def _alike(known: Extremes, end: Turned) -> list[Turned]:
-    """All turning points that are as high (or low) as this one."""
-    near = _LEVEL * abs(end.value)
+    """All turning points that are as high (or low) as this one; beside the greatest value rounding is nothing."""
+    size = max(abs(one.value) for one in (end, known.highest, known.lowest) if one is not None)
+    near = max(_LEVEL * abs(end.value), _NOTHING * size if isfinite(size) else 0.0)
     return [one for one in (*known.maxima, *known.minima) if abs(one.value - end.value) <= near] or [end]
 
 
 def told(alike: Sequence[Spot], drive: Column) -> str:
     """The value to four figures, and the drive's places to 0.1° or 0.1 mm: of two that are equally high both."""
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
-    turned = {round(place, 1) for place, _ in alike}
-    told_once = turned - {_TURN} if {0.0, _TURN} <= turned else turned  # where the turn ends, the next begins
-    places = [f"{style.number(place)}{unit}" for place in sorted(told_once)]
+    places = [f"{style.number(place)}{unit}" for place in _places(alike)]
     return f"{figures(alike[0][1])} ({', '.join(places) if len(places) <= _BOTH else places[0]})"
+
+
+def _places(alike: Sequence[Spot]) -> list[float]:
+    """The places of spots that are alike, once each: where a turn ends, the next begins."""
+    turned = {round(place, 1) for place, _ in alike}
+    return sorted(turned - {_TURN} if {0.0, _TURN} <= turned else turned)
 
 
 def figures(value: float) -> str:

@@ -42,12 +42,18 @@ class Placer:
         """Round marks that no text may cover (mm)."""
         self.boxes += [(z - complex(radius, radius), z + complex(radius, radius)) for z in self.mm(places)]
 
+    def is_free(self, low: complex, words: str, size: float) -> bool:
+        """Whether nothing stands where a text would, of which this is the lower left corner (data)."""
+        box = layout_words(words, size)
+        half = complex(box.width / 2, (box.ascent + box.descent) / 2)
+        return self._cost(complex(self.mm(np.array([low]))[0]) + half, half) == 0.0
+
     def put(
         self, place: complex, words: str, outward: complex, size: float, *, most: float = inf, hue: Hue = Hue.BLACK
-    ) -> None:
+    ) -> bool:
         """The text beside the place; of equally free spots that nearest to the outward direction.
 
-        most: what it may cover; where it would cover more, it is left out.
+        most: what it may cover; where it would cover more, it is left out. Gives whether it stands.
         """
         box = layout_words(words, size)
         half = complex(box.width / 2, (box.ascent + box.descent) / 2)
@@ -64,11 +70,12 @@ class Placer:
             self._cross(costs, wishes, here, spots)
         best = min(range(len(spots)), key=lambda i: costs[i] + wishes[i])
         if costs[best] > most:
-            return
+            return False
         spot = spots[best][0]
         self.boxes.append((spot - half, spot + half))
         style.clear(self.at, spot.real - half.real, spot.imag - half.imag, 2 * half.real, 2 * half.imag)
         style.text(self.at, spot.real - half.real, spot.imag - half.imag + box.descent, words, size=size, hue=hue)
+        return True
 
     def _cross(self, costs: list[float], wishes: list[float], here: complex, spots: Sequence[Spot]) -> None:
         """Raise the costs of those spots that lie beyond something, as far as they could be the best."""

@@ -1,57 +1,87 @@
-"""The mechanism in several positions, thin, with the path of a point, and thick in its own position."""
+"""The mechanism in four positions, each thin in an ink of its own, and thick in the problem's position."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..cycle import Cycle
 from ..drawing.style import GIVEN, THIN, Dash, Hue
-from ..figures import View
+from ..figures.hue import TONES
 from ..mechanism.model import Revolute
 from ..names import subscripted
 from ..words import Lang, Words
 from . import style
-from .flat import plane, stations
-from .place import Placer
+from .flat import plane, told_station
+from .place import Placer, Points
 from .plot import Plot
 from .skeleton import skeleton
 
-_GHOST = style.Pen(Dash.FULL, Hue.GREY, 0.6 * THIN)
-_OWN = style.Pen(Dash.FULL, Hue.BLACK, GIVEN)
-_PATH = style.Pen(Dash.DASHED, View.ACCELERATION.ink, 0.4)
+COUNT = 4  # positions: more lie over each other
+_OWN = style.Pen(Dash.FULL, Hue.BLACK, 1.4 * GIVEN)
+_ANGLE = 3.0  # em of the lettering, mm
 
 
 def poses(cycle: Cycle, letter: str, lang: Lang = "zh", *, width: float = 150.0, height: float = 105.0) -> Plot:
-    """Every 30° of the drive (or at twelfths of its range) the links as thin lines, in mm; the path of the letter
-    dashed, the problem's own position thick. Raises UnknownNameError."""
-    phi, spots = stations(cycle, f"p_{letter}")
+    """Every 90° of the drive (or at fifths of its range) the links as thin lines, in mm, with the drive's position at
+    the pin of its crank (else at the letter); the problem's own position thick. Raises UnknownNameError."""
+    phi = _quarters(cycle)
     lines, own = skeleton(cycle, phi), [line[:, 0] for line in skeleton(cycle, np.array([cycle.mech.drive.position]))]
-    path = 1e3 * np.asarray(cycle.column(f"p_{letter}"), np.complex128)
-    every = np.concatenate(
-        [path, *(line.ravel() for line in (*lines, *own)), 1e3 * np.array(list(cycle.mech.frame.values()))]
-    )
-    every = every[np.isfinite(every)]
-    low, high = complex(every.real.min(), every.imag.min()), complex(every.real.max(), every.imag.max())
+    low, high = _corners([*lines, *own, 1e3 * np.array(list(cycle.mech.frame.values()), np.complex128)])
     figure, at = plane(low, high, width, height, (style.axis_label("x", "mm"), style.axis_label("y", "mm")))
-    for line in lines:
-        for k in range(line.shape[1]):
-            style.line(at, line[:, k].real, line[:, k].imag, _GHOST)
-    style.line(at, path.real, path.imag, _PATH)
+    for k, hue in enumerate(TONES[:COUNT]):
+        for line in lines:
+            style.line(at, line[:, k].real, line[:, k].imag, style.Pen(Dash.FULL, hue, 1.3 * THIN))
     for line in own:
         style.line(at, line.real, line.imag, _OWN)
-    style.dots(at, 1e3 * spots.real, 1e3 * spots.imag, _PATH.hue, 0.9)
-    placer = Placer(at, [path, *own, *(line[:, k] for line in lines for k in range(line.shape[1]))])
+    placer = Placer(at, [*own, *(line[:, k] for line in lines for k in range(line.shape[1]))])
     _letters(cycle, at, letter, placer, (low + high) / 2)
+    pin = _turned(cycle) or letter
+    _angles(cycle, at, pin, phi, placer)
+    where = subscripted(pin)
     return Plot(
         figure,
         Words(
-            f"机构的 {len(phi)} 个位置和 ${subscripted(letter)}$ 点的轨迹",
-            f"{len(phi)} positions of the mechanism, and the path of ${subscripted(letter)}$",
+            f"机构的几个位置（${where}$ 处为 ${cycle.drive.symbol}$）",
+            f"Positions of the mechanism (${cycle.drive.symbol}$ at ${where}$)",
         ),
         lang,
     )
+
+
+def _quarters(cycle: Cycle) -> NDArray[np.float64]:
+    """The drive's positions that are drawn."""
+    if cycle.mech.drive.slide or not cycle.whole:
+        return np.linspace(cycle.low, cycle.high, COUNT + 2)[1:-1]
+    return np.linspace(0.0, 2 * np.pi, COUNT, endpoint=False)
+
+
+def _turned(cycle: Cycle) -> str:
+    """The pin of the crank that drives, whose places lie all round its pivot; none of a drive that slides."""
+    mech = cycle.mech
+    pins = {joint.point for joint in mech.joints if isinstance(joint, Revolute)}
+    moved = [one for one in mech.link(mech.drive.link).points if one in pins and one not in mech.frame]
+    return moved[0] if moved and not mech.drive.slide else ""
+
+
+def _corners(lines: Iterable[Points]) -> tuple[complex, complex]:
+    """The lower left and the upper right corner of all these."""
+    every = np.concatenate([line.ravel() for line in lines])
+    every = every[np.isfinite(every)]
+    return complex(every.real.min(), every.imag.min()), complex(every.real.max(), every.imag.max())
+
+
+def _angles(cycle: Cycle, at: Any, letter: str, phi: NDArray[np.float64], placer: Placer) -> None:
+    """The drive's position beside the letter's place in each, in the ink of its links."""
+    spots = 1e3 * np.asarray(cycle.at(f"p_{letter}", phi), np.complex128)
+    middle = complex(np.nanmean(spots))
+    for q, z, hue in zip(phi, spots, TONES, strict=False):
+        if np.isfinite(z):
+            style.dots(at, [z.real], [z.imag], hue, 1.0)
+            placer.put(complex(z), told_station(cycle, float(q)), complex(z) - middle, _ANGLE, hue=hue)
 
 
 def _letters(cycle: Cycle, at: Any, letter: str, placer: Placer, middle: complex) -> None:

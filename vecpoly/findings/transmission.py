@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees, radians
 
+import numpy as np
+
 from ..cycle.facts.transmission_range import ABOUT, USUAL, Transmission
 from ..mechanism.groups.assur import Dyad, decompose
 from ..mechanism.model import Mechanism, Revolute
 from ..words import Words
+from .shown import span
 from .study.study import Study
 
 _EQUAL = 1e-6  # rad
@@ -39,7 +42,7 @@ def _one(study: Study, t: Transmission, d: Dyad) -> Words:
     what, least, most = _defined(study.mech, d, symbol), degrees(t.least.value), degrees(t.greatest.value)
     verdict, where = _judged(least), least_places(study, t)
     top = (
-        Words("；其间达到 90°", "; on the way it reaches 90°")
+        _square(study, t)
         if most > 90.0 - 1e-6
         else Words(
             f"；最大为 {most:.1f}°（{study.where(t.greatest.phi)}）",
@@ -49,6 +52,21 @@ def _one(study: Study, t: Transmission, d: Dyad) -> Words:
     return Words(
         f"{what.zh}最小传动角为 {least:.1f}°（{where.zh}），{verdict.zh}{top.zh}。",
         f"{what.en} Its least value is {least:.1f}° at {where.en}, {verdict.en}{top.en}.",
+    )
+
+
+def _square(study: Study, t: Transmission) -> Words:
+    """How often the angle is 90°, its greatest value."""
+    side = np.sign(study.turn.real(t.key) - radians(90.0))
+    side = side[np.isfinite(side) & (side != 0.0)]
+    ring = np.append(side, side[:1]) if study.whole.whole else side
+    times = int(np.count_nonzero(ring[1:] != ring[:-1]))
+    if not times:
+        return Words("；最大为 90°", "; its greatest is 90°")
+    often = {1: "once", 2: "twice"}.get(times, f"{times} times")
+    return Words(
+        f"；{span(study).zh}内有 {times} 次达到最大值 90°",
+        f"; it reaches 90°, its greatest, {often} {'a' if study.whole.whole else 'within the'} {span(study).en}",
     )
 
 

@@ -58,13 +58,17 @@ def _swept(cycle: Cycle, found: Path, start: Words) -> Words:
         return start + Words("。", ".")
     whole, all_ = cycle.whole, _mm(found.length)
     turn = whole and cycle.once is not cycle  # the cycle of a machine is several turns
-    span = Words("原动件每转一周" if turn else "每循环", "a turn of the input link" if turn else "a cycle")
+    span = Words("原动件每转一周" if turn else "每循环", "per turn of the input link" if turn else "per cycle")
     span = span if whole else Words("在这一范围内", "in this range")
     if not found.passes:
-        return start + Words(f"，{span.zh}往返的路程共 {all_} mm。", f", to and fro, {all_} mm {span.en} in all.")
+        return start + Words(
+            f"，点在其上往复，{span.zh}走过的总路程为 {all_} mm。",
+            f", on which it reverses; the distance travelled {span.en} is {all_} mm.",
+        )
     return start + Words(
-        f"，{span.zh}往返共走过 {found.passes} 次，路程共 {all_} mm。",
-        f", passed {_TIMES.get(found.passes, f'{found.passes} times')} {span.en}, to and fro: {all_} mm in all.",
+        f"，{span.zh}往复走过 {found.passes} 次，总路程为 {all_} mm。",
+        f" and passes it {_TIMES.get(found.passes, f'{found.passes} times')} {span.en}: the distance travelled is "
+        f"{all_} mm.",
     )
 
 

@@ -3,9 +3,9 @@ their white allows it; else a block where nothing stands."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import chain
+from collections.abc import Callable, Iterator, Sequence
 
+from ...board.construction import Figure
 from ...foundation.slotted import replace
 from ..scene import Item, Layer, Rect, Stroke, moved
 from ..sheets.boxes.redbox import BAND
@@ -30,22 +30,76 @@ def with_legend(sheet: Sheet) -> Sheet:
     with the figures laid out anew, closer together; else, with both, on a block; else on a band, with the figures as
     close as they may stand; else parted on two blocks or three, of the inks of vectors and of the rest where they have
     room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
-    figures = [one.figure for one in sheet.figures if one.figure is not None]
-    found = entries(figures, sheet.lang)
-    told = [one for one in found if not one.plain]
-    sets = [cells(some, sheet.lang) for some in (found, told) if some]
+    sets = _sets(sheet)
     if sheet.plate:
         return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
-    grids = [band(some, sheet.lang, sheet.room[0]) for some in sets]
-    bands = (made for way in (_over_strip, _laid_anew) for grid in grids if (made := way(sheet, grid)) is not None)
-    if (banded := next(bands, None)) is not None or not sets:
+    if (banded := next((made for made, _ in _banded(sheet, sets)), None)) is not None or not sets:
         return banded or sheet
     if (blocked := _with_block(sheet, sets)) is not sheet:
         return blocked
-    tight = (_laid_anew(sheet, grid, TIGHT) for grid in grids)
-    inks = len([*key_of_vectors(figures, sheet.lang)])
+    tight = next((made for made, _ in _tight(sheet, sets)), None)
+    return tight or _with_blocks(sheet, sets, _inks(sheet))
+
+
+def with_legend_under(sheet: Sheet, write: Callable[[Sheet], Sheet]) -> Sheet:
+    """The sheet with its legend on a band, and over it what is written there (its results), where both have room; else
+    with the legend on a block beside them; else with the legend alone. write: as it is written on a sheet without."""
+    sets, written = _sets(sheet), write(sheet)
+    if not sets:
+        return written
+    if sheet.plate:
+        return _grown(written, band(sets[0], sheet.lang, sheet.room[0]))
+    both = (_written_over(made, grid, write) for made, grid in (*_banded(sheet, sets), *_tight(sheet, sets)))
+    if (found := next((one for one in both if one is not None), None)) is not None:
+        return found
+    blocked = _with_blocks(written, sets, _inks(sheet)) if written.results else written
+    return with_legend(sheet) if blocked is written else blocked
+
+
+def _tight(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Iterator[tuple[Sheet, Grid]]:
+    """The sheet with a band, its figures as close as they may stand."""
+    grids = (band(some, sheet.lang, sheet.room[0]) for some in sets)
+    yield from ((made, grid) for grid in grids if (made := _laid_anew(sheet, grid, TIGHT)) is not None)
+
+
+def _inks(sheet: Sheet) -> int:
+    """How many inks of vectors its legend tells."""
+    return len([*key_of_vectors(_figures(sheet), sheet.lang)])
+
+
+def _written_over(made: Sheet, grid: Grid, write: Callable[[Sheet], Sheet]) -> Sheet | None:
+    """What is written on the sheet over the band that it has; None where it has no room there."""
+    up, (wide, high) = 1j * grid.height, made.room
+    done = write(replace(_shifted(made, -up), room=(wide, high - grid.height), results=()))
+    if not done.results:
+        return None
+    return replace(_shifted(done, up), room=made.room, results=(*_ruled(grid, made), *_moved(done.results, up)))
+
+
+def _figures(sheet: Sheet) -> list[Figure]:
+    return [one.figure for one in sheet.figures if one.figure is not None]
+
+
+def _sets(sheet: Sheet) -> list[list[Cell]]:
+    """What its legend tells: all; all but what is plain. Nothing where all is plain."""
+    found = entries(_figures(sheet), sheet.lang)
+    told = [one for one in found if not one.plain]
+    return [cells(some, sheet.lang) for some in (found, told) if some]
+
+
+def _banded(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Iterator[tuple[Sheet, Grid]]:
+    """The sheet with a band, in every way in which it has room for one, the best first."""
+    grids = [band(some, sheet.lang, sheet.room[0]) for some in sets]
+    for way in (_over_strip, _laid_anew):
+        yield from ((made, grid) for grid in grids if (made := way(sheet, grid)) is not None)
+
+
+def _with_blocks(sheet: Sheet, sets: Sequence[Sequence[Cell]], inks: int) -> Sheet:
+    """On a block, or parted on two or three: of so many inks of vectors, and of the rest; else as much as has room."""
+    if (blocked := _with_block(sheet, sets)) is not sheet:
+        return blocked
     split = (_parted(sheet, some, inks, most) for most in range(2, BLOCKS + 1) for some in sets)
-    return next((one for one in chain(tight, split) if one is not None), None) or _as_many(sheet, sets[-1])
+    return next((one for one in split if one is not None), None) or _as_many(sheet, sets[-1])
 
 
 def _parted(sheet: Sheet, some: Sequence[Cell], inks: int, most: int = BLOCKS) -> Sheet | None:
@@ -69,10 +123,11 @@ def _as_many(sheet: Sheet, some: Sequence[Cell], most: int = BLOCKS) -> Sheet:
 
 
 def _grown(plate: Sheet, grid: Grid) -> Sheet:
-    """A plate, higher by the band."""
+    """A plate, higher by the band, over which stands what is written on it."""
     wide, high = plate.room
-    grown = replace(_shifted(plate, 1j * grid.height), room=(wide, high + grid.height))
-    return replace(grown, results=_ruled(grid, grown))
+    up = 1j * grid.height
+    grown = replace(_shifted(plate, up), room=(wide, high + grid.height))
+    return replace(grown, results=(*_ruled(grid, grown), *_moved(plate.results, up)))
 
 
 def _with_block(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Sheet:
@@ -107,7 +162,11 @@ def _standing(sheet: Sheet) -> tuple[float, float]:
 def _shifted(sheet: Sheet, by: complex) -> Sheet:
     """With its figures moved."""
     placed = (replace(one, origin=one.origin + by, extents=one.extents.moved(by)) for one in sheet.figures)
-    return replace(sheet, drawn=tuple(moved(item, by) for item in sheet.drawn), figures=tuple(placed))
+    return replace(sheet, drawn=_moved(sheet.drawn, by), figures=tuple(placed))
+
+
+def _moved(items: Sequence[Item], by: complex) -> tuple[Item, ...]:
+    return tuple(moved(item, by) for item in items)
 
 
 def _ruled(grid: Grid, sheet: Sheet) -> tuple[Item, ...]:

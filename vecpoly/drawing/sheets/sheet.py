@@ -51,7 +51,7 @@ class Sheet:
     strip: Strip
     lang: Lang
     warning: Words | None = None
-    results: tuple[Item, ...] = ()  # what came out, or the legend, where the sheet has room for it
+    results: tuple[Item, ...] = ()  # what came out, and the legend, where the sheet has room
 
     @property
     def landscape(self) -> bool:

@@ -37,9 +37,9 @@ def _size(answer: Answer, sign: str) -> float:
 
 
 def alike(sizes: Sequence[float]) -> list[str]:
-    """Two figures of the least, and of the others its count of decimals, where that is one more than theirs at most."""
+    """Two figures of the least, and of the others its decimals, but three figures at most: 0.27, 6.46, 10.3."""
     most = max((_places(size) for size in sizes if _is_plain(size)), default=0)
-    return [_told(size, most if _is_plain(size) and most <= _places(size) + 1 else None) for size in sizes]
+    return [_told(size, min(most, _places(size) + 1) if _is_plain(size) else None) for size in sizes]
 
 
 def _told(size: float, places: int | None) -> str:

@@ -1,4 +1,5 @@
-"""The appendix: the problem file as written, and the data of all points and links."""
+"""The appendix: all that the problem gives, and the data of all points and links; for templates that print it, the
+problem file."""
 
 from __future__ import annotations
 
@@ -15,16 +16,18 @@ from .numbering import TINY, Press
 from .one_language import in_one_language
 from .results.circling import circling
 from .results.tabled import tabled
+from .statement import every_datum
 
 _COLUMNS, _FEW = 11, 25  # of a table; rows that are all told
 _RATES = {"p": Words("位置", "position"), "v": Words("速度", "velocity"), "a": Words("加速度", "acceleration")}
 
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
-    """The listing and the tables; tables only for what chapter 5 does not show."""
+    """The given data and the tables, these only for what chapter 5 does not show; the listing."""
     press.chapter = "A"
     text = study.problem.text
     return {
+        "given": every_datum(study, press),
         "file": press.objects.add("listing", Listing(in_one_language(text, press.lang))) if text else "",
         "several": "extends:" in text,
         "tables": list(_tables(study, press)),

@@ -71,9 +71,15 @@ def _bare(symbol: str) -> str:
     return symbol.replace("{", "").replace("}", "")
 
 
+def every_datum(study: Study, press: Press) -> str:
+    """All numbers that the problem gives, with those that other chapters tell; nothing where there is none."""
+    rows = [row for datum in study.problem.given.data if (row := _parts(datum, press)) is not None]
+    return _data(rows, press) if rows else ""
+
+
 def _data(rows: list[tuple[str, str, str]], press: Press) -> str:
     """The table of many numbers, in as many blocks as it fills."""
-    blocks = next(n for n in (3, 2, 1) if len(rows) >= n * _FEW)
+    blocks = next(n for n in (3, 2, 1) if n == 1 or len(rows) >= n * _FEW)
     high = -(-len(rows) // blocks)
     columns = [rows[i : i + high] for i in range(0, len(rows), high)]
     lines = [[one[n] if n < len(one) else ("",) * 3 for one in columns] for n in range(high)]

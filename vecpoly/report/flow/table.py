@@ -19,7 +19,7 @@ from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import Line, break_lines, draw_line
-from .results.banded import LIGHT, is_banded, is_parted
+from .results.banded import LIGHT, Rules
 from .results.columns import longest, shared
 from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
@@ -84,7 +84,7 @@ class DataTable(Block):
         self._vertical = _VERTICAL
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
         self._continued = False  # from the page before: its heading has been read
-        self._before, self._banded = 0, is_banded(self.rows)  # rows of it on pages before
+        self._before, self._ruling = 0, Rules.of(self.rows)  # rows of it on pages before
 
     def tighten(self, degree: Tightness) -> None:
         """Its rows closer too, their lines as they are."""
@@ -175,7 +175,7 @@ class DataTable(Block):
         )  # fmt: skip
         part._continued, part._vertical = self._continued or start > 0, self._vertical
         part.goal = self.goal if start == 0 else ""
-        part._before, part._banded = self._before + start, self._banded
+        part._before, part._ruling = self._before + start, self._ruling
         part._found = {
             width: part._measured(
                 replace(found, body=found.body[start:end], points=part._points(unbroken(rows, found.body[start:end])))
@@ -195,7 +195,7 @@ class DataTable(Block):
         y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
         for n, (row, texts) in enumerate(zip(found.body, self.rows, strict=True)):
-            if n and is_parted(self._before + n, texts, self._banded):
+            if n and self._ruling.over(self._before + n, texts):
                 self._rule(ink, left, y, width, LIGHT)
             shifts = [
                 column[n].indent(text, width - 2 * PAD) if column is not None and len(cell) == 1 else None

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Sequence
 from ...algebra.formula import Node, Row, Txt
 from ...board.construction import View
 from ...board.ruler import READABLE
+from ...drawing.legend.on_sheet import with_legend, with_legend_under
 from ...drawing.sheets.boxes.results import Listed, with_results
 from ...drawing.sheets.sheet import Sheet
 from ...foundation.slotted import replace
@@ -24,23 +25,33 @@ _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
 
 def concluded(
-    made: Sequence[Sheet], solution: Solution, lang: Lang, keys: Collection[str] | None = None
+    made: Sequence[Sheet], solution: Solution, lang: Lang, keys: Collection[str] | None = None, *, legend: bool = False
 ) -> tuple[Sheet, ...]:
     """The sheets with the answers that were read on them, where they have room; what was read on none, on the last.
-    keys: of the answers that are told; None: all."""
+    keys: of the answers that are told; None: all. legend: under them stands what lines and arrows are."""
     answers = [one for key, one in solution.answers.items() if keys is None or key in keys]
     kept = [one for one in answers if not one.is_place]
     home = {one.key: _home(one, made, solution) for one in kept}
     own = [[one for one in kept if home[one.key] == n] for n in range(len(made))]
     ended = solution.construction.conclusion
-    return tuple(
-        with_results(sheet, _without_solution(some, solution, ended.of(lang), lang))
+    listed = [
+        _without_solution(some, solution, ended.of(lang), lang)
         if ended is not None and n == 0
-        else with_results(sheet, _attempts(some, solution, lang))
+        else _attempts(some, solution, lang)
         if some
-        else sheet
-        for n, (sheet, some) in enumerate(zip(made, own, strict=True))
-    )
+        else []
+        for n, some in enumerate(own)
+    ]
+    return tuple(_written(sheet, some, legend) for sheet, some in zip(made, listed, strict=True))
+
+
+def _written(sheet: Sheet, attempts: Sequence[Sequence[Listed]], legend: bool) -> Sheet:
+    """With the first of these that has room, and with a legend under it."""
+    if not legend:
+        return with_results(sheet, attempts) if attempts else sheet
+    if not attempts:
+        return with_legend(sheet)
+    return with_legend_under(sheet, lambda bare: with_results(bare, attempts))
 
 
 def _without_solution(answers: Sequence[Answer], solution: Solution, text: str, lang: Lang) -> list[list[Listed]]:

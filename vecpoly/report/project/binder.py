@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from ...drawing.legend.on_sheet import with_legend
 from ...drawing.sheets.sheet import Sheet, bound, sheets
 from ...findings.study.study import Study
 from ...project.part import Part
@@ -69,7 +70,8 @@ def _at(study: Study, phi: float, solution: Solution, press: Press) -> Drawn:
 
 
 def _one(solution: Solution, title: Words, where: str, press: Press) -> Drawn:
-    made = sheets(solution.construction, lang=press.lang, title=title, on=solution.problem.paper, plates=True)
+    bare = sheets(solution.construction, lang=press.lang, title=title, on=solution.problem.paper, plates=True)
+    made = tuple(with_legend(sheet) for sheet in bare)
     return Drawn(where=where, solution=solution, sheets=made, names=tuple(press.sheet() for _ in made))
 
 

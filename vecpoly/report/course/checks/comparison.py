@@ -5,14 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import floor, log10
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ....algebra.quantity import number
-from ....algebra.rounding import as_printed
 from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
@@ -22,15 +19,27 @@ from ....solution import Answer, scales_of
 from ....words import Words
 from ..analysis.force_words import refusals
 from ..numbering import SMALL, Press
+from ..results.plots import WIDE
 from ..results.positions import at_position, read_there
 from .refused import cause
+from .thousandths import figures, in_thousandths
 
 STATIONS = 24
 FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
-_DIGITS, _MOST = 3, 8  # significant digits of a deviation; decimals, beyond which a power of ten is shorter
+_SMALLEST = (3, 6, 7)  # columns of deviations
 _HEADER = {
-    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值 /%", "偏差最大处", "均方根偏差", "手工误差 3σ", "占该处值 /%"],
+    "zh": [
+        "量",
+        "单位",
+        "最大值",
+        "最大偏差",
+        "占最大值 /%",
+        "偏差最大处",
+        "均方根偏差",
+        "手工误差 3σ",
+        "手工相对误差 /%",
+    ],
     "en": [
         "Quantity",
         "Unit",
@@ -150,7 +159,8 @@ def _table(study: Study, press: Press, found: Compared) -> str:
     told = [_row(study, found, key) for key in (found.keys if found.stations else ())]
     rows = [tuple(cell.removesuffix(" %") for cell in row) for row in told]
     title = Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones")
-    return press.table(title, _HEADER[press.lang], rows, "lcddccddc", style=SMALL) if len(rows) > 1 else ""
+    header, rows = in_thousandths(_HEADER[press.lang], rows, _SMALLEST)
+    return press.table(title, header, rows, "lcdddcddd", style=SMALL) if len(rows) > 1 else ""
 
 
 def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
@@ -159,11 +169,11 @@ def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
     return (
         f"${info.symbol}$",
         info.shown_unit.replace("^2", "²"),
-        _number(info.factor * size),
-        _number(info.factor * gaps[k]),
+        figures(info.factor * size),
+        figures(info.factor * gaps[k]),
         f"{100 * gaps[k] / size:.2f} %" if size else "—",
         study.where(found.stations[k].phi).split(" = ")[1],
-        _number(info.factor * float(np.sqrt(np.mean(gaps**2)))),
+        figures(info.factor * float(np.sqrt(np.mean(gaps**2)))),
         *_by_hand(study, key),
     )
 
@@ -192,16 +202,7 @@ def _by_hand(study: Study, key: str) -> tuple[str, str]:
         return "—", "—"
     told = abs(answer.exact) > answer.expected_error
     share = f"{100 * answer.expected_error / abs(answer.exact):.2f} %" if told else "—"
-    return _number(study.whole.info(key).factor * answer.expected_error), share
-
-
-def _number(value: float) -> str:
-    """Three digits with their last zeros, so that a column reads evenly."""
-    if not value or not np.isfinite(value):
-        return number(value)
-    told = as_printed(float(value), _DIGITS)
-    places = max(0, _DIGITS - 1 - floor(log10(abs(told))))
-    return f"{told:.{places}f}" if places <= _MOST else number(told, _DIGITS)
+    return figures(study.whole.info(key).factor * answer.expected_error), share
 
 
 def _chart(study: Study, press: Press, found: Compared) -> list[str]:
@@ -215,7 +216,7 @@ def _chart(study: Study, press: Press, found: Compared) -> list[str]:
     plots = []
     for key in list(last.values())[-_DENSE if study.dense else -_SHOWN :]:
         info = study.turn.info(key)
-        width, panel = (83.0, 57.0) if study.dense else (150.0, 50.0)
+        width, panel = WIDE
         plot, symbol = (
             curves(study.turn, (key,), press.lang, width=width, panel=panel, marks=False),
             f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$",  # as on the axis

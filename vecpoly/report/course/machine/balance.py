@@ -15,6 +15,7 @@ from ....words import Lang, Words
 from ..numbering import Press
 from ..results.plots import curve, swept
 from ..results.tabled import laid_out
+from .sums import displayed, shaking
 
 _EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": ["Quantity", "Greatest", "At", "Least", "At"]}
 _WEIGHTS = {"zh": ["构件", "支点", "$m_c r_c$ /(kg·m)", "方位"], "en": ["Link", "Pivot", "$m_c r_c$ /(kg·m)", "Where"]}
@@ -44,24 +45,30 @@ def _acting(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
     rows = study.rows[study.rows < len(turn.phi)]
     return {
         "title": Words("机构对机架的惯性力和惯性力矩", "Shaking force and shaking moment on the frame").of(press.lang),
+        "lead": _lead(study).of(press.lang),
+        "formulas": displayed(press, shaking()),
         "words": [_told(study).of(press.lang)],
         "tables": [_extremes(study, press, found), laid_out(table(turn, parts, rows), press, title)],
         "figures": press.figures(plots),
     }
 
 
+def _lead(study: Study) -> Words:
+    pivot = about(study.mech)
+    return Words(
+        f"原动件按题设匀速运动时，运动构件的惯性力系向固定点 ${pivot}$ 简化，得主矢和主矩：",
+        "With the input link moving uniformly as given, the inertia forces of all moving links, reduced to the fixed "
+        f"point ${pivot}$, are a force and a moment:",
+    )
+
+
 def _told(study: Study) -> Words:
     pivot = about(study.mech)
     return Words(
-        f"原动件按题设匀速运动时，运动构件的惯性力系向固定点 ${pivot}$ 简化，得主矢 $F_I$ = −Σ$m_i a_{{Si}}$ 和主矩 "
-        f"$M_I$ = −Σ[$r_{{Si}}$ × $m_i a_{{Si}}$ + $J_{{Si}} α_i$]（逆时针为正；$r_{{Si}}$ 为由 ${pivot}$ "
-        "到质心 $S_i$ 的矢径），由机架承受；载荷和重力不计在内。$F_I$ 的端迹图上，由极点到曲线的矢量即该位置的惯性力。",
-        "With the input link moving uniformly as given, the inertia forces of all moving links, reduced to the fixed "
-        f"point ${pivot}$, are the force $F_I$ = −Σ$m_i a_{{Si}}$ and the moment $M_I$ = −Σ[$r_{{Si}}$ × $m_i a_{{Si}}$"
-        f" + $J_{{Si}} α_i$] "
-        f"(counter-clockwise positive; $r_{{Si}}$ is the position vector of the centre of mass $S_i$ from ${pivot}$), "
-        "which the frame has to bear; loads and weights are not among them. In the "
-        "hodograph the vector "
+        f"$M_I$ 以逆时针为正，$r_{{Si}}$ 为由 ${pivot}$ 到质心 $S_i$ 的矢径；二者由机架承受，载荷和重力不计在内。"
+        "$F_I$ 的端迹图上，由极点到曲线的矢量即该位置的惯性力。",
+        f"$M_I$ is positive counter-clockwise, and $r_{{Si}}$ is the position vector of the centre of mass $S_i$ from "
+        f"${pivot}$. The frame has to bear both; loads and weights are not among them. In the hodograph the vector "
         "from the pole to the curve is the force at that position.",
     )
 

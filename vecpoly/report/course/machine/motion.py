@@ -8,6 +8,7 @@ import numpy as np
 
 from ....algebra.quantity import number
 from ....findings.machine.running import Running
+from ....findings.shown import places
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.asked.machine import Equivalent, equivalents
@@ -17,6 +18,7 @@ from ..results.plots import curve
 from ..results.tabled import tabled
 from .flywheel import flywheel
 from .powers import powers
+from .sums import displayed, equivalents_of
 from .work import work
 
 _NOTHING = 1e-9  # of the greatest inertia: none
@@ -35,35 +37,39 @@ def sections(study: Study, press: Press, run: Running) -> list[dict[str, Any]]:
 def _equivalent(study: Study, press: Press, run: Running) -> dict[str, Any]:
     """J_e and M_e of the given loads, in a table and two curves."""
     to = equivalents(study.mech)[0]
+    link = run.mech.number(to.link)
     keys = [key for key in (to.inertia.key, to.load.key) if study.varies(key)]
     two = run.of.period > 2 * np.pi * 1.5
     title = Words("等效转动惯量和等效力矩", "Equivalent inertia and moment")
     plots = [curve(study, press.lang, [key]) for key in keys]
     return {
         "title": title.of(press.lang),
-        "words": [_formulas(run, to).of(press.lang), *([_range(study, to).of(press.lang)] if keys else [])],
+        "lead": _lead(link).of(press.lang),
+        "formulas": displayed(press, equivalents_of(link)),
+        "words": [_said(run, link).of(press.lang), *([_range(study, to).of(press.lang)] if keys else [])],
         "tables": [tabled(study, press, keys, title, every=2 if two else 1)] if keys else [],
         "figures": press.figures(plots),
     }
 
 
-def _formulas(run: Running, to: Equivalent) -> Words:
-    link = run.mech.number(to.link)
+def _lead(link: int | str) -> Words:
+    """What the formulas that follow are taken from."""
+    return Words(
+        f"取构件 {link} 为等效构件。由动能相等、功率相等，得等效转动惯量和等效力矩：",
+        f"Link {link} is the equivalent link. From equal energy and equal power its equivalent inertia and moment are:",
+    )
+
+
+def _said(run: Running, link: int | str) -> Words:
+    """What does not enter, and the sign of M_e."""
     less = (
         Words(f"；${load_symbol(run.name)}$ 不计在内", f", without ${load_symbol(run.name)}$")
         if run.name
         else Words.same("")
     )
     return Words(
-        f"取构件 {link} 为等效构件。由动能相等、功率相等，$J_e$ = Σ[$m_i$($v_{{Si}}$/$ω_{link}$)² + "
-        f"$J_{{Si}}$($ω_i$/$ω_{link}$)²]，"
-        f"$M_e$ = Σ[$F_i$($v_i$/$ω_{link}$)$cos α_i$ + $M_i$($ω_i$/$ω_{link}$)]；只含速度比，与 $ω_{link}$ 的大小无关。"
-        f"$M_e$ 以逆时针为正{less.zh}。",
-        f"Link {link} is the equivalent link. With the same energy and the same power $J_e$ = "
-        f"Σ[$m_i$($v_{{Si}}$/$ω_{link}$)² + "
-        f"$J_{{Si}}$($ω_i$/$ω_{link}$)²] and $M_e$ = Σ[$F_i$($v_i$/$ω_{link}$)$cos α_i$ + $M_i$($ω_i$/$ω_{link}$)]; "
-        "only ratios of "
-        f"velocities enter, whatever $ω_{link}$ is. $M_e$ is positive counter-clockwise{less.en}.",
+        f"式中只含速度比，与 $ω_{link}$ 的大小无关。$M_e$ 以逆时针为正{less.zh}。",
+        f"Only ratios of velocities enter, whatever $ω_{link}$ is. $M_e$ is positive counter-clockwise{less.en}.",
     )
 
 
@@ -74,12 +80,12 @@ def _range(study: Study, to: Equivalent) -> Words:
         return Words.same("")
     small = _NOTHING * found.highest.value
     (a, p), (b, q) = (
-        (number(0.0 if spot.value < small else spot.value), study.where(spot.phi))
+        (number(0.0 if spot.value < small else spot.value), places(study, found, spot))
         for spot in (found.lowest, found.highest)
     )
     return Words(
-        f"$J_e$ 在 {a} kg·m²（{p}）与 {b} kg·m²（{q}）之间变化。",
-        f"$J_e$ lies between {a} kg·m² ({p}) and {b} kg·m² ({q}).",
+        f"$J_e$ 在 {a} kg·m²（{p.zh}）与 {b} kg·m²（{q.zh}）之间变化。",
+        f"$J_e$ lies between {a} kg·m² ({p.en}) and {b} kg·m² ({q.en}).",
     )
 
 

@@ -7,14 +7,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ....algebra.quantity import magnitude, number
-from ....algebra.worked import figures_for
+from ....algebra.quantity import number
+from ....algebra.rounding import places_of, read_back, rounds_to, to_places
 from ....findings.machine.running import Running
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_symbol
 from ....words import Words
 from ..numbering import Press
 from ..results.plots import Plotted, given
+from ..results.tabled import decimal
 
 _HEADER = {
     "zh": ["区间", "性质", "$ΔW$ /J", "终点处 $E$ /J"],
@@ -24,6 +25,7 @@ _Reals = NDArray[np.float64]
 _KINDS = (Words("亏功", "lost"), Words("盈功", "gained"))
 _LITTLE = 1e-9  # of the greatest surplus: no piece of its own
 POINTS = 9  # of a piece of the period
+_GUARD = 3  # decimals beyond those of a difference that its terms may have
 
 
 def work(study: Study, press: Press, run: Running) -> dict[str, Any]:
@@ -38,16 +40,26 @@ def work(study: Study, press: Press, run: Running) -> dict[str, Any]:
 
 def _told(study: Study, run: Running) -> Words:
     high, low = (where(study, run, top.psi) for top in (run.high, run.low))
-    gap = magnitude("E_{max}", run.high.value, "J") - magnitude("E_{min}", run.low.value, "J")
     surplus = number(run.surplus, 5)
-    digits = figures_for(gap, surplus, 5)
-    top, least = (number(_plain(run, spot.value), digits) for spot in (run.high, run.low))
-    told = f"$ΔW_{{max}}$ = {top} − {least if run.low.value > 0 or least == '0' else f'({least})'} = {surplus} J"
+    top, least = _terms(run, surplus)
+    told = f"$ΔW_{{max}}$ = {top} − {f'({least})' if least.startswith('−') else least} = {surplus} J"
     return _moment(run) + Words(
         f"动能 $E$ = ∫$M$ d$φ$ 在 {high} 处最大、{low} 处最小，最大盈亏功 {told}（自 {zero(study, run)} 起算）。",
         f"The energy $E$ = ∫$M$ d$φ$, counted from {zero(study, run)} on, is greatest at {high} and least at {low}: "
         f"{told}.",
     )
+
+
+def _terms(run: Running, surplus: str) -> tuple[str, str]:
+    """The two energies with the decimals of their difference as it is printed, or with so many more that they give it:
+    2.3 − (−1011.4) = 1013.7."""
+    size, half = read_back(surplus)
+    both = [_plain(run, spot.value) for spot in (run.high, run.low)]
+    for places in range(places_of(surplus), places_of(surplus) + _GUARD):
+        top, least = (to_places(value, places) for value in both)
+        if rounds_to(top - least, size, half):
+            break
+    return decimal(top, places), decimal(least, places)
 
 
 def _moment(run: Running) -> Words:
@@ -85,10 +97,11 @@ def zero(study: Study, run: Running) -> str:
 
 def _table(study: Study, press: Press, run: Running) -> str:
     """From one place where the resultant moment changes its sign to the next."""
-    rows = []
+    rows, places = [], places_of(number(run.surplus, 5))
     for a, b, gain, end in pieces(run):
         span = f"{_angle(run, a)}–{_angle(run, b)}"
-        rows.append((span, _KINDS[gain > 0].of(press.lang), _five(gain), _five(_plain(run, end))))
+        both = (decimal(value, places) for value in (gain, _plain(run, end)))
+        rows.append((span, _KINDS[gain > 0].of(press.lang), *both))
     return press.table(Words("盈功和亏功", "Surplus and deficit of work"), _HEADER[press.lang], rows, "lcrr")
 
 
@@ -100,10 +113,6 @@ def _angle(run: Running, psi: float) -> str:
 def _plain(run: Running, energy: float) -> float:
     """An energy (J): nothing for what rounding leaves beside the greatest surplus."""
     return 0.0 if abs(energy) < _LITTLE * run.surplus else energy
-
-
-def _five(value: float) -> str:
-    return number(value, 5).replace("-", "−")
 
 
 def pieces(run: Running) -> list[tuple[float, float, float, float]]:

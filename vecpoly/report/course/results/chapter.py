@@ -119,14 +119,14 @@ def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
     tables = [] if trivial else [_rates_table(study, press, letter)]
     words = (" " if press.lang == "en" else "").join(w.of(press.lang) for w in path_sentences(study.whole, found))
     words += circling_told(study, letter).of(press.lang) if trivial else ""
-    own = found.shape is Shape.CURVE
-    before = [posed(study, press.lang, letter, small=own and study.dense)] if letter == study.points[-1] else []
-    if own and study.dense:
+    own, last = found.shape is Shape.CURVE, letter == study.points[-1]
+    before = [posed(study, press.lang, letter)] if last else []
+    if last or (own and study.dense):
         before.append(way(study, press.lang, letter))
     first = press.figures(before)
-    if letter == study.points[-1]:
+    if last:
         words += _of_poses(press.called[first[0]]).of(press.lang)
-    plots = [] if trivial else _rates_curves(study, press, letter, own)
+    plots = [] if trivial else _rates_curves(study, press, letter, own, path=not (last or study.dense))
     return {
         "title": Words(f"${subscripted(letter)}$ 点的运动", f"Motion of ${subscripted(letter)}$").of(press.lang),
         "words": words,
@@ -138,9 +138,9 @@ def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
 
 def _of_poses(where: str) -> Words:
     return Words(
-        f"{where}中细线为原动件等间隔各位置的机构，粗线为题设位置，虚线为轨迹。",
-        f" {where} shows the mechanism at equal steps of its drive in thin lines, the given position "
-        "in thick ones, the path dashed.",
+        f"机构在原动件等间隔各位置（彩色细线）和题设位置（黑色粗线）的简图以及该点的轨迹见{where}。",
+        f" The mechanism at equal steps of its drive (thin, in colour) and in the given position (thick, black), and "
+        f"the path, are drawn in {where}.",
     )
 
 
@@ -151,12 +151,12 @@ def _rates_table(study: Study, press: Press, letter: str) -> str:
     return tabled(study, press, keys, title, TINY if study.dense else SMALL)
 
 
-def _rates_curves(study: Study, press: Press, letter: str, own: bool) -> list[Plotted]:
-    """own: whether it runs on a curve of its own, which has a figure, and hodographs."""
+def _rates_curves(study: Study, press: Press, letter: str, own: bool, *, path: bool) -> list[Plotted]:
+    """own: whether it runs on a curve of its own, so that it has hodographs; path: the curve has no figure yet."""
     plots = [curve(study, press.lang, keys) for stem in "pva" if (keys := _components(study, f"{stem}_{letter}"))]
     if own:
         plots += [
-            *([] if study.dense else [way(study, press.lang, letter)]),
+            *([way(study, press.lang, letter)] if path else []),
             *(swept(study, press.lang, f"{stem}_{letter}") for stem in "va"),
         ]
     return plots

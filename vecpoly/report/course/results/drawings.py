@@ -215,7 +215,7 @@ def _sheets(study: Study, phi: float, solution: Solution, lang: Lang, *, plates:
     paper = study.problem.paper
     drawn = without_repeated(solution.construction, study.solution.construction, paper.format)
     made = sheets(drawn, lang=lang, title=Words(zh, en), on=paper, plates=plates)
-    return concluded(made, solution, lang, study.given.answers)
+    return concluded(made, solution, lang, study.given.answers, legend=True)
 
 
 def _page(study: Study, one: Drawn, sheet: Sheet, lang: Lang) -> SheetPage | Plate:

@@ -13,6 +13,7 @@ from ..numbering import Press
 from .circling import is_trivial
 from .tabled import decimal
 
+_DIGITS, _MOST = 4, 6  # significant digits; decimals
 _TOLD = 2  # positions that are alike, of which the table has room
 _EXTREMES = {
     "zh": ["量", "单位", "最大值", "位置", "最小值", "位置"],
@@ -47,7 +48,7 @@ def extremes(study: Study, press: Press) -> str:
         return ""
     drive = study.turn.drive
     header = [text if i not in (3, 5) else f"${drive.symbol}$" for i, text in enumerate(_EXTREMES[press.lang])]
-    return press.table(Words("极值及其位置", "Extreme values and where they occur"), header, rows, "lcrrrr")
+    return press.table(Words("极值及其位置", "Extreme values and where they occur"), header, rows, "lcdrdr")
 
 
 def _placed(study: Study, found: Extremes, spot: Spot, press: Press) -> str:
@@ -60,10 +61,16 @@ def _placed(study: Study, found: Extremes, spot: Spot, press: Press) -> str:
     return comma.join(every[:_TOLD]) + ("…" if len(every) > _TOLD else "")
 
 
+def exponent(value: float) -> int:
+    """Of ten, of the value as it is rounded to these digits."""
+    return floor(log10(abs(float(f"{value:.{_DIGITS - 1}e}"))))
+
+
 def _exact(value: float, top: float) -> str:
-    """Five significant digits; zero for what rounding leaves beside the largest value; ±∞ for what runs away."""
+    """Four significant digits, as beside the dots of the diagrams; zero for what rounding leaves beside the largest
+    value; ±∞ for what runs away."""
     if not isfinite(value):
         return "∞" if value > 0 else "−∞"
     if abs(value) <= 1e-9 * top:
         return "0"
-    return decimal(value, int(min(6, max(0, 4 - floor(log10(abs(value)))))))
+    return decimal(value, int(min(_MOST, max(0, _DIGITS - 1 - exponent(value)))))

@@ -1,5 +1,5 @@
-"""Curves of a course report: each with its title, of half the width where there are many,
-so that two stand beside each other."""
+"""Curves of a course report, each with its title: over the drive's position as wide as the text, so that peaks have
+room for their numbers; paths and hodographs of half the width, two beside each other."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from ....findings.study.study import Study
 from ....words import Lang, Words
 
 LINES = 4  # in one panel
-_WIDE, _NARROW = (150.0, 60.0), (83.0, 57.0)  # mm
+WIDE = 165.0, 60.0  # mm: curves over the drive's position
+_NARROW = 83.0  # mm
 _FLAT, _LOW = 80.0, 57.0  # mm, height of a plane; of a long report
 Plotted = tuple[Scene, Words]
 
@@ -31,7 +32,7 @@ def curve(study: Study, lang: str, keys: Sequence[str], turn: Cycle | None = Non
     """These columns in one pair of axes (one for each unit). turn: another cycle than the study's own."""
     from ....curves import curves
 
-    width, panel = _NARROW if study.dense else _WIDE
+    width, panel = WIDE
     plot = curves(
         turn or study.turn,
         tuple(keys),
@@ -57,7 +58,7 @@ def given(
     """Values that are no columns over the drive's angle (degrees). label: symbol, unit; marks: dots; level: dashed."""
     from ....curves import given_values
 
-    width, panel = _NARROW if study.dense else _WIDE
+    width, panel = WIDE
     which: Lang = "en" if lang == "en" else "zh"
     plot = given_values(study.turn, *line, label, title, which, marks=marks, level=level, width=width, panel=panel)
     return plot.scene, plot.title
@@ -67,22 +68,15 @@ def way(study: Study, lang: str, letter: str) -> Plotted:
     """The path of a point."""
     from ....curves import trace
 
-    plot = trace(
-        study.turn, (letter,), "en" if lang == "en" else "zh", width=_NARROW[0], height=_LOW if study.dense else _FLAT
-    )
+    plot = trace(study.turn, (letter,), "en" if lang == "en" else "zh", width=_NARROW, height=_FLAT)
     return plot.scene, plot.title
 
 
-def posed(study: Study, lang: str, letter: str, *, small: bool) -> Plotted:
-    """The mechanism in several positions with the path of the point; small: beside another figure."""
+def posed(study: Study, lang: str, letter: str) -> Plotted:
+    """The mechanism in several positions, beside the path of the point."""
     from ....curves import poses
 
-    plot = poses(
-        study.turn,
-        letter,
-        "en" if lang == "en" else "zh",
-        **({"width": _NARROW[0], "height": _LOW} if small else {"height": 88.0}),
-    )
+    plot = poses(study.turn, letter, "en" if lang == "en" else "zh", width=_NARROW, height=_FLAT)
     return plot.scene, plot.title
 
 
@@ -94,7 +88,7 @@ def swept(study: Study, lang: str, key: str, turn: Cycle | None = None) -> Plott
         turn or study.turn,
         key,
         "en" if lang == "en" else "zh",
-        width=_NARROW[0],
+        width=_NARROW,
         height=_LOW if study.dense else _FLAT,
         ink=inks(study, [key]).get(key),
     )

@@ -1,0 +1,50 @@
+"""Sheets that are bound into a course report: their lines and arrows are told by the legend of a solution's sheets."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.laws import few
+from tests.studies import studied
+from vecpoly.drawing.legend.legend import TITLE, entries
+from vecpoly.drawing.scene import Item, TextBox
+from vecpoly.drawing.sheets.boxes.results import TITLE as RESULTS
+from vecpoly.drawing.sheets.sheet import Sheet
+from vecpoly.report.course.results.drawings import chosen
+from vecpoly.typeset.box import Glyphs
+
+SOME = ["3-9", "ex10", "swinging-block-offset-rod", "4-6"]
+
+
+def _texts(items: tuple[Item, ...]) -> list[tuple[str, TextBox]]:
+    """The type of a sheet with its boxes."""
+    boxes = [item for item in items if isinstance(item, TextBox)]
+    return [("".join(part.text for part in box.box.items if isinstance(part, Glyphs)), box) for box in boxes]
+
+
+def _sheets(name: str) -> list[Sheet]:
+    return [sheet for one in chosen(studied(name), "en") for sheet in one.sheets]
+
+
+@pytest.mark.parametrize("name", few(SOME, 2))
+def test_every_sheet_bound_into_a_report_has_the_legend_of_its_lines_and_arrows(name: str) -> None:
+    for sheet in _sheets(name):
+        asks = entries([one.figure for one in sheet.figures if one.figure is not None], "en")
+        assert (TITLE.en in dict(_texts(sheet.results))) is bool(asks)
+
+
+@pytest.mark.parametrize("name", few(SOME, 2))
+def test_results_stand_over_the_legend_and_neither_on_a_figure(name: str) -> None:
+    both = [sheet for sheet in _sheets(name) if {TITLE.en, RESULTS.en} <= {*dict(_texts(sheet.results))}]
+    assert both
+    for sheet in both:
+        written, drawn = _texts(sheet.results), _texts(sheet.drawn)
+        boxes = [box.rect.grown(-0.2) for _, box in written]
+        assert not any(a.overlaps(b) for n, a in enumerate(boxes) for b in boxes[:n])
+        assert not any(box.overlaps(other.rect) for box in boxes for _, other in drawn)
+
+
+@pytest.mark.parametrize("name", few(["A-27", "4-6"], 2))
+def test_the_sheet_of_the_given_position_carries_what_was_asked_beside_its_legend(name: str) -> None:
+    drawn = chosen(studied(name), "en")[0]
+    assert any({TITLE.en, RESULTS.en} <= {*dict(_texts(sheet.results))} for sheet in drawn.sheets)
