@@ -18,11 +18,12 @@ from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
-from .lines import Line, break_lines, draw_line
+from .lines import draw_line
 from .results.banded import LIGHT, is_banded, is_parted
 from .results.columns import longest, shared
 from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
+from .text.breaks import Line, break_lines
 from .text.continued import CONTINUED, continued
 
 PAD, _VERTICAL = 1.5, 1.6  # mm at either side of a cell, pt above and below a row
