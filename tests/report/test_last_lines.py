@@ -28,7 +28,7 @@ def _said(cell: Cell) -> str:
 @each(["$ω_3$ = $ω_4$", "0.379 − 1 = −0.621 rad/s", "$δ = (ω_max − ω_min)$", "$ω_21$ = $ω_2$ − $ω_1$"])
 def test_a_short_equation_stands_on_one_line(equation: str) -> None:
     for text, chinese in ((EN, False), (ZH, True)):
-        for count in range(0, 90):
+        for count in range(90):
             lines = _broken(f"{(text * 3)[:count].strip()} {equation}. {text * 2}", chinese)
             ends = [line.rstrip()[-1] for line in lines[:-1]]
             assert not {"=", "−", "+"} & {*ends}, lines
@@ -42,7 +42,7 @@ def test_a_last_line_is_more_than_a_word_or_a_symbol(lang: str) -> None:
         if lang == "en" and not text[count].isspace():
             continue
         lines = break_lines(cells(f"{text[:count].strip('，。; .')} $b_3$.", EM, lang == "zh"), MEASURE, EM)
-        assert len(lines) > 1 and lines[-1].width >= LEAST * EM - 1e-9 or len(lines) == 1
+        assert (len(lines) > 1 and lines[-1].width >= LEAST * EM - 1e-9) or len(lines) == 1
 
 
 def test_where_the_lines_before_cannot_spare_a_word_the_last_one_is_left_as_it_is() -> None:

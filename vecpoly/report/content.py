@@ -27,7 +27,7 @@ from .answers.asked_in_words import answered_in_words
 from .answers.tables import counted
 from .on_paper import on_paper
 from .sources import printed_source
-from .statement.asked import asked
+from .statement.asked import asked, repeated
 from .statement.conventions import conventions
 from .statement.in_table import in_table, in_table_words
 from .statement.meant import meant_by
@@ -57,7 +57,7 @@ def beside_tables(solution: Solution, lang: Lang) -> dict[str, str]:
 
 
 def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = None) -> dict[str, str]:
-    """Title, source, statement, given (all, or these data) and asked in words."""
+    """Title, source, statement, given (all, or these data) and asked in words; repeated: the statement asks so."""
     problem = solution.problem
     data = problem.given.data if data is None else data
     comma = "，" if lang == "zh" else ", "
@@ -72,6 +72,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "statement": problem.statement.of(lang),
         "given": comma.join(given),
         "asked": asked(solution, lang),
+        "repeated": "repeated" if repeated(solution) else "",
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
         "scales": scales(solution, lang),
