@@ -19,7 +19,7 @@ from .boxes.titleblock import Strip, furniture
 from .detailing import arrangements, drawn
 from .expected import Expected, dear, further, trials
 from .packing import Layout
-from .pages import Page, fullness, plated, trimmed
+from .pages import Page, as_wide_as_text, fullness, plated, trimmed
 from .paging import Drawn, arranged, best_paged, even, lined, paged, read_on, reading_order, under_box
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 
@@ -145,7 +145,7 @@ def _on_plates(pages: Sequence[Page[Drawn]], bands: bool) -> Iterator[Page[Drawn
         if made is not layout and not read_on(group, even(group, lined(group, made))):
             made = trimmed(group, layout)
         first = first and not is_page(made.page)
-        yield group, made
+        yield group, as_wide_as_text(group, made)
 
 
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:
