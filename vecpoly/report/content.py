@@ -25,6 +25,7 @@ from ..words import Lang, Words, joined, label
 from .answers.alike import lines_of_twins
 from .answers.asked_in_words import answered_in_words
 from .answers.tables import counted
+from .flow.results.abreast import abreast
 from .on_paper import on_paper
 from .sources import printed_source
 from .statement.asked import asked, repeated
@@ -224,5 +225,5 @@ def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Ma
         "words": on_paper(step.words.of(lang), solution),
         "equation": objects.add("eq", step.equation) if step.equation else "",
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
-        "formulas": [objects.add("f", same.get(id(node), node)) for node in step.formulas],
+        "formulas": [objects.add("f", one) for one in abreast([same.get(id(node), node) for node in step.formulas])],
     }
