@@ -39,7 +39,7 @@ def _one(study: Study, t: Transmission, d: Dyad) -> Words:
     what, least, most = _defined(study.mech, d, symbol), degrees(t.least.value), degrees(t.greatest.value)
     verdict, where = _judged(least), least_places(study, t)
     top = (
-        Words("；其间达到 90°", "; on the way it reaches 90°")
+        Words("；最大为 90°", "; its greatest is 90°")
         if most > 90.0 - 1e-6
         else Words(
             f"；最大为 {most:.1f}°（{study.where(t.greatest.phi)}）",

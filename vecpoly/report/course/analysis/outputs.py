@@ -108,7 +108,7 @@ def _repeated(study: Study, key: str) -> Words:
     return Words(
         f"每循环往复 {len(swing.maxima)} 次，总{'摆角' if study.whole.info(key).unit == 'rad' else '行程'} "
         f"{size}（各行程见 8.1）",
-        f"goes to and fro {len(swing.maxima)} times a cycle, through {size} in all (strokes in 8.1)",
+        f"oscillates {len(swing.maxima)} times a cycle, over a range of {size} (strokes in 8.1)",
     )
 
 

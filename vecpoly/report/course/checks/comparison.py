@@ -30,7 +30,7 @@ FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of wh
 _SHOWN, _DENSE = 3, 2  # curves, and of a long report
 _DIGITS, _MOST = 3, 8  # significant digits of a deviation; decimals, beyond which a power of ten is shorter
 _HEADER = {
-    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值 /%", "偏差最大处", "均方根偏差", "手工误差 3σ", "占该处值 /%"],
+    "zh": ["量", "单位", "最大值", "最大偏差", "占最大值 /%", "偏差最大处", "均方根偏差", "手工误差 3σ", "相对误差 /%"],
     "en": [
         "Quantity",
         "Unit",
