@@ -61,9 +61,7 @@ def _swept(cycle: Cycle, found: Path, start: Words) -> Words:
     span = Words("原动件每转一周" if turn else "每循环", "a turn of the input link" if turn else "a cycle")
     span = span if whole else Words("在这一范围内", "in this range")
     if not found.passes:
-        return start + Words(
-            f"，{span.zh}往返的总路程为 {all_} mm。", f"; the total travel there and back is {all_} mm {span.en}."
-        )
+        return start + Words(f"，{span.zh}往返的总路程为 {all_} mm。", f"; the total travel is {all_} mm {span.en}.")
     return start + Words(
         f"，{span.zh}往返共走过 {found.passes} 次，总路程为 {all_} mm。",
         f", passed {_TIMES.get(found.passes, f'{found.passes} times')} {span.en}; the total travel is {all_} mm.",

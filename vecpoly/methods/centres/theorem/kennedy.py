@@ -157,7 +157,7 @@ def _remarks(fig: CentreFigure, search: Search, here: Centre) -> None:
         fig.board.remark(
             Words(
                 "两线交角很小，交点不易准确。",
-                " The lines meet at a small angle, and their intersection is poorly defined.",
+                " The lines meet at a small angle; their intersection is poorly defined.",
             )
         )
 
