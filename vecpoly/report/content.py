@@ -112,9 +112,11 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
     alone = len(solution.verification) == 1
     moved = [told(one, alone).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
     ended = solution.construction.conclusion
+    kinds = {one.kind.of(lang) for one in solution.construction.candidates if one.reason is None and one.kind}
     shaken = shaking_of(solution.problem, {key: one.drawn for key, one in solution.answers.items()})
     return [
         *([ended.of(lang)] if ended is not None else []),
+        *(kinds if len(kinds) == 1 else ()),
         *answered_in_words(solution, lang),
         *dict.fromkeys(coriolis),
         *moved,
