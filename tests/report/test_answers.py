@@ -281,8 +281,8 @@ def test_notes_stand_under_the_columns_each_once(name: str) -> None:
         assert len(set(box.notes)) == len(box.notes)
         for answer in solution.answers.values():
             if stands_still(answer):
-                told = " ".join(f"{plain(line.node)}{line.after}" for line in box.lines)
-                assert "".join(remark_of(answer, lang).split("$")) in told, "said once, beside its 0"
+                beside = " ".join(f"{plain(line.node)}{line.after}" for line in box.lines)
+                assert "".join(remark_of(answer, lang).split("$")) in beside, "said once, beside its 0"
             elif (coarse(answer) or 0.0) >= COARSE or answer.short or remark_of(answer, lang):
                 text = remark_of(answer, lang) or f"${answer.reading.symbol}$"
                 assert any(text.lower() in note.lower() for note in box.notes), answer.key
