@@ -13,6 +13,7 @@ from .equations import LONGEST, whole
 LOOSEST = 0.1  # em added to a gap beyond which a line is rather left ragged
 _NORM = 0.08  # em added to a gap beyond which the lines before share it
 _SHARED = 0.25  # em added to each gap beyond which a line is rather broken within a long formula
+_SHORTER = 12.0  # em of an equation that is not parted where a whole longer one would leave a line ragged
 _ORPHAN = 4.5  # em of the last line of a paragraph: less is a word or a symbol alone
 _NARROW = 20.0  # em of a measure in which last lines are left as they come
 _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
@@ -43,7 +44,9 @@ def break_lines(
     cells = list(cells)
     gaps, terms = (whole(cells, spaces(cells, em), em, longest) for longest in (LONGEST, 0.0))
     measure = _Measure(width, em, first, least)
-    lines = _found(cells, gaps, measure) or _found(cells, terms, measure)
+    halves = whole(cells, spaces(cells, em), em, _SHORTER)
+    ways = ((gaps, LOOSEST), (halves, LOOSEST), (gaps, _SHARED), (terms, _SHARED))
+    lines = next((made for some, most in ways if (made := _found(cells, some, measure, most))), None)
     if lines is None:
         return _greedy(cells, terms, width, em, first, least, cut=True)
     return _last_filled(cells, gaps, measure, lines)
@@ -59,13 +62,13 @@ class _Measure:
     least: float
 
 
-def _found(cells: list[Cell], gaps: list[Gap], to: _Measure) -> list[Line] | None:
+def _found(cells: list[Cell], gaps: list[Gap], to: _Measure, most: float) -> list[Line] | None:
     """The lines, where none of them is stretched far or the paragraph can share it."""
     lines = _greedy([*cells], [*gaps], to.width, to.em, to.first, to.least, cut=False)
     if not _loosest(lines, to.width, _NORM):
         return lines
     shared = _shared(cells, gaps, to)
-    return shared if shared and not _loosest(shared, to.width, _SHARED) else None
+    return shared if shared and not _loosest(shared, to.width, most) else None
 
 
 def _shared(cells: list[Cell], gaps: list[Gap], to: _Measure, floor: float = 0.0) -> list[Line]:
