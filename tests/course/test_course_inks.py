@@ -1,10 +1,9 @@
-"""Tables and the list of symbols of a course report: vectors in their inks, symbols that the words use."""
+"""Tables and the list of symbols of a course report: vectors in black, symbols that the words use."""
 
 from __future__ import annotations
 
 import pytest
 
-from tests.laws import few
 from tests.studies import course_text, solved, studied
 from vecpoly.board.paper.tones import whose
 from vecpoly.drawing.hues import ink_of
@@ -13,6 +12,7 @@ from vecpoly.report.answers.tables import readings_at
 from vecpoly.report.course.results.drawings import chosen
 from vecpoly.report.course.spoken_symbols import used, words_in
 from vecpoly.report.flow.table import DataTable
+from vecpoly.report.flow.text.breaks import Line
 from vecpoly.report.tables import inks_of
 from vecpoly.words import Lang
 
@@ -21,18 +21,16 @@ def tables(name: str, lang: Lang) -> list[DataTable]:
     return [one for one in course_text(name, lang)[1].named.values() if isinstance(one, DataTable)]
 
 
-def test_readings_at_other_positions_stand_in_the_inks_of_their_vectors_behind_the_position() -> None:
+def test_what_is_read_stands_in_black_in_tables_behind_the_position() -> None:
     it = solved("3-9")
     (table,) = readings_at([("45°", it, it.answers.values())], "$φ_1$", "en")
-    assert table.inked == 1 and table.header[1] == "Quantity"
-    assert tuple(table.inks) == inks_of(it, it.answers) and any(table.inks)
+    assert table.header[1] == "Quantity"
+    coloured = [item for row in table.set_in(480.0).body for cell in row for line in cell for item in _coloured(line)]
+    assert not coloured and any(inks_of(it, it.answers)), "vectors have inks in equations and figures"
 
 
-@pytest.mark.parametrize("lang", few(["zh", "en"], 2))
-def test_the_tables_of_chapter_six_keep_the_inks(lang: Lang) -> None:
-    inked = [(one.caption, one.inked) for one in tables("3-9", lang) if any(one.inks)]
-    assert [at for _, at in inked] == [0, 1]
-    assert all(number in caption for number, (caption, _) in zip(("6-2", "6-3"), inked, strict=True))
+def _coloured(line: Line) -> list[object]:
+    return [item for cell in line.cells for item in cell.box.items if getattr(item, "rgb", None) is not None]
 
 
 def test_directions_stand_under_each_other_by_their_points() -> None:

@@ -16,7 +16,7 @@ from tests.each import each
 from vecpoly.algebra.formula import is_symbol
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.marks import Point, Segment, TurnArrow, Vector
-from vecpoly.board.paper.tones import HUES, MANY, key_of, known_as, whose
+from vecpoly.board.paper.tones import HUES, MANY, key_of, whose
 from vecpoly.drawing.beside import beside
 from vecpoly.drawing.figure import draw_figure
 from vecpoly.drawing.hues import dash_of, hue_of, ink_called, ink_of, is_hollow, mark_hue
@@ -26,8 +26,6 @@ from vecpoly.drawing.symbols.around import Surroundings
 from vecpoly.drawing.symbols.marks import draw
 from vecpoly.figures.hue import TONES, Hue
 from vecpoly.names import ascii_key
-from vecpoly.report.answers.order import listed
-from vecpoly.report.answers.tables import readings_tables
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.equation import EquationFlow, _columns
 from vecpoly.report.tables import inks_of
@@ -72,11 +70,6 @@ def test_a_vector_has_one_hue_in_equations_polygons_free_bodies_and_tables(name:
             rgb = {item.rgb for item in column.cells[0].items if isinstance(item, Glyphs)}
             seen.setdefault(ascii_key(symbol), set()).update(_named(rgb))
     answers = one.solution.answers
-    order = [answer.key for answer in listed(answers.values())]
-    keys = sorted(order, key=lambda key: answers[key].is_place)  # places have a table of their own
-    rows = [ink for table in readings_tables(one.solution, "zh") for ink in table.inks]
-    for key, row in zip(keys, rows, strict=True):
-        seen.setdefault(known_as(key, answers[key].reading.symbol), set()).update(_named({row}))
     tones, read = one.construction.tones, {key: answer.reading for key, answer in answers.items()}
     told = {key: ink_called(key, read[key].symbol, tones, read[key].formula) for key in seen if key in read}
     assert {key: {told.get(key, ink_of(key, tones)).name} for key in seen} == seen

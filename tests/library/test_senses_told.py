@@ -55,7 +55,7 @@ def test_an_equivalent_moment_is_computed_as_a_size_and_is_said_to_be_one() -> N
     """−P/ω_1 is no sum of powers over ω_1: the resisting moment's size, whose sense the sum tells."""
     (told,) = [step for step in drawn("7-1").construction.steps if "功率等效：$M_{e}$" in step.words.zh]
     assert "$M_{e}$ 的大小等于" in told.words.zh and "为顺时针方向" in told.words.zh
-    assert "its size is that of the sum of the powers" in told.words.en and plain(told.formulas[-1]).endswith(
+    assert "its magnitude is that sum divided by $ω_1$" in told.words.en and plain(told.formulas[-1]).endswith(
         ("= 50 N·m", "= 50.0 N·m")
     )
 

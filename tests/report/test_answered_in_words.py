@@ -58,3 +58,10 @@ def test_a_rotor_says_whether_other_planes_will_do() -> None:
     assert said("6-5", "zh") == "能实现：在平面 $I$和$II$内各加一个质径积。 转子动不平衡。"
     assert said("6-5", "en").endswith("in each of the planes $I$ and $II$. The rotor is not in dynamic balance.")
     assert said("6-7", "en") == "", "it is not asked there"
+
+
+@pytest.mark.parametrize(("name", "kind"), [("8-9", "a slider-crank"), ("8-10", "a rocker-slider")])
+def test_of_what_type_a_slider_linkage_is_stands_in_the_box(name: str, kind: str) -> None:
+    solution = drafted(name)
+    assert solution is not None
+    assert conclusions(solution, "en")[0] == f"The linkage $ABC$ is {kind}."

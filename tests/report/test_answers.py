@@ -18,7 +18,7 @@ from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.line import answer_line, result_of
-from vecpoly.report.answers.notes import remark_of
+from vecpoly.report.answers.notes import remark_of, stands_still
 from vecpoly.report.answers.order import solution_of
 from vecpoly.report.answers.placed import endless
 from vecpoly.report.answers.tables import counted, readings_tables
@@ -280,7 +280,10 @@ def test_notes_stand_under_the_columns_each_once(name: str) -> None:
         box = answer_box(solution, lang)
         assert len(set(box.notes)) == len(box.notes)
         for answer in solution.answers.values():
-            if (coarse(answer) or 0.0) >= COARSE or answer.short or remark_of(answer, lang):
+            if stands_still(answer):
+                beside = " ".join(f"{plain(line.node)}{line.after}" for line in box.lines)
+                assert "".join(remark_of(answer, lang).split("$")) in beside, "said once, beside its 0"
+            elif (coarse(answer) or 0.0) >= COARSE or answer.short or remark_of(answer, lang):
                 text = remark_of(answer, lang) or f"${answer.reading.symbol}$"
                 assert any(text.lower() in note.lower() for note in box.notes), answer.key
         box.wrap(170.0 * MM, 1e4)

@@ -15,8 +15,9 @@ from vecpoly.algebra.formula import Row, Txt, sym
 from vecpoly.report.flow import DataTable, EquationFlow, Para
 from vecpoly.report.flow.cells import NO_END, NO_START, Cell, Kind, cells, gap
 from vecpoly.report.flow.formula import lines as formula_lines
-from vecpoly.report.flow.lines import Line, break_lines, fit
+from vecpoly.report.flow.lines import fit
 from vecpoly.report.flow.results.grid import sentence
+from vecpoly.report.flow.text.breaks import Line, break_lines
 from vecpoly.typeset.box import MM
 
 EM = 10.5 / MM

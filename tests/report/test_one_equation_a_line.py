@@ -12,6 +12,7 @@ from vecpoly.report.content import Objects, sections
 from vecpoly.report.flow.base import Tightness
 from vecpoly.report.flow.formula import Formula, in_columns
 from vecpoly.report.flow.para import Para
+from vecpoly.report.flow.results.abreast import Abreast, abreast
 from vecpoly.typeset.box import MM
 
 ROOM = 170.0 * MM
@@ -33,10 +34,30 @@ def relations(made: list[Formula]) -> list[float]:
 
 @each(few(IDS, 6))
 def test_a_step_sets_each_of_its_equations_by_itself(name: str) -> None:
-    solution = drawn(name).solution
-    told = [step for section in sections(solution, "zh", Objects()) for step in section["steps"]]
-    assert [len(step["formulas"]) for step in told] == [len(step.formulas) for step in solution.construction.steps]
+    solution, objects = drawn(name).solution, Objects()
+    told = [step for section in sections(solution, "zh", objects) for step in section["steps"]]
+    counts = [sum(len(_set_in(objects.named[ref])) for ref in step["formulas"]) for step in told]
+    assert counts == [len(step.formulas) for step in solution.construction.steps]
     assert not any(",\u2003" in plain(line) for step in solution.construction.steps for line in step.formulas)
+
+
+def _set_in(made: object) -> tuple[object, ...]:
+    """The equations of one block."""
+    return made.nodes if isinstance(made, Abreast) else (made,)
+
+
+def test_places_stand_abreast_before_what_is_worked_out_and_short_results_in_a_row() -> None:
+    told = Txt(" = (1.0, −2.5) mm")
+    places = [Row((Sym("P", name), told)) for name in ("12", "13", "23", "14")]
+    endless = Row((Sym("P", "34", "∞"), Txt(" (∠90.0°)")))
+    worked = Row((Sym("δ"), Txt(" = 0.001 × 69.9 = 0.0699 m")))
+    first, *others = abreast([*places[:2], worked, *places[2:], endless])
+    assert isinstance(first, Abreast) and first.nodes == (*places, endless) and others == [worked]
+    first.wrap(ROOM, 1e4)
+    assert first.height < 2 * 20.0, "two rows"
+    angles = [Row((Sym("γ", str(n)), Txt(" = 36.2°"))) for n in range(3)]
+    (row,) = abreast(angles)
+    assert isinstance(row, Abreast) and abreast(angles[:2]) == angles[:2]
 
 
 def test_equations_that_follow_each_other_have_their_equality_signs_under_each_other() -> None:

@@ -106,7 +106,7 @@ def test_a_count_that_agrees_is_the_same_as_the_books() -> None:
     """A number of links has no exact value to come near to."""
     one = solved("2-5")
     assert [text for kind, text in verdicts(one, check_problem(one.problem), "zh") if kind == "pass"] == [
-        "各数与原书答案一致。"
+        "各计数均与原书答案一致。"
     ]
 
 

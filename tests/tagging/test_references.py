@@ -67,7 +67,7 @@ def test_a_reference_is_a_link_to_its_place_and_one_that_leads_nowhere_is_text(t
 def test_a_reference_that_is_broken_over_two_lines_has_a_link_on_each(tmp_path: Path) -> None:
     rows = []
     for words in range(20, 52):  # "chapter 5" is never broken, 第 5 章 may be
-        it = document(tmp_path, f"{'字' * words}第 5 章指出", "zh")
+        it = document(tmp_path, f"{'字' * words}第 5 章指出，该机构有确定的运动", "zh")
         rows.append(len({float(note.Rect[1]) for note in it.pages[0].Annots}))
         assert rows[-1] == len(it.pages[0].Annots)
     assert set(rows) == {1, 2}

@@ -14,6 +14,7 @@ from ..words import Words
 class Candidate:
     """Its number, its pins (mm on paper, every position's), what was read of it, and why it is rejected.
 
+    kind: what linkage it is, where that is told.
     verdict: the name of the reason, VALID where there is none; values: by the key of a quantity without a number,
     lengths in mm, angles in deg; spread: the expected drawing error of each, 3σ of the repeated hands; lost: the
     share of those that do not find it.
@@ -23,6 +24,7 @@ class Candidate:
     pins: Mapping[str, complex]
     verdict: str
     reason: Words | None = None
+    kind: Words | None = None
     values: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
     spread: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
     lost: float = 0.0

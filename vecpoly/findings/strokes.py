@@ -94,8 +94,8 @@ def repeated_strokes(study: Study) -> Iterator[Words]:
         told = Words(
             f"${info.symbol}$ 在一个循环内往复 {count} 次，各极限位置（括号内为 ${drive.symbol}$）"
             f"依次为 {'、'.join(limits)}{cause.zh}；总{'摆角' if info.unit == 'rad' else '行程'} {total}。",
-            f"${info.symbol}$ goes to and fro {count} times a cycle; its limits (${drive.symbol}$ "
-            f"in brackets) are {', '.join(limits)} in turn{cause.en}; it covers {total} in all.",
+            f"${info.symbol}$ oscillates {count} times a cycle; its limits (${drive.symbol}$ "
+            f"in brackets) are {', '.join(limits)} in turn{cause.en}; its range is {total}.",
         )
         if study.whole.whole and len(spots) == 2 * count:
             told += _taken(sizes, at, unit) + _dwell(study, swing, spots)

@@ -25,9 +25,10 @@ from ..words import Lang, Words, joined, label
 from .answers.alike import lines_of_twins
 from .answers.asked_in_words import answered_in_words
 from .answers.tables import counted
+from .flow.results.abreast import abreast
 from .on_paper import on_paper
 from .sources import printed_source
-from .statement.asked import asked
+from .statement.asked import asked, repeated
 from .statement.conventions import conventions
 from .statement.in_table import in_table, in_table_words
 from .statement.meant import meant_by
@@ -57,7 +58,7 @@ def beside_tables(solution: Solution, lang: Lang) -> dict[str, str]:
 
 
 def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = None) -> dict[str, str]:
-    """Title, source, statement, given (all, or these data) and asked in words."""
+    """Title, source, statement, given (all, or these data) and asked in words; repeated: the statement asks so."""
     problem = solution.problem
     data = problem.given.data if data is None else data
     comma = "，" if lang == "zh" else ", "
@@ -72,6 +73,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "statement": problem.statement.of(lang),
         "given": comma.join(given),
         "asked": asked(solution, lang),
+        "repeated": "repeated" if repeated(solution) else "",
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
         "scales": scales(solution, lang),
@@ -110,9 +112,11 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
     alone = len(solution.verification) == 1
     moved = [told(one, alone).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
     ended = solution.construction.conclusion
+    kinds = {one.kind.of(lang) for one in solution.construction.candidates if one.reason is None and one.kind}
     shaken = shaking_of(solution.problem, {key: one.drawn for key, one in solution.answers.items()})
     return [
         *([ended.of(lang)] if ended is not None else []),
+        *(kinds if len(kinds) == 1 else ()),
         *answered_in_words(solution, lang),
         *dict.fromkeys(coriolis),
         *moved,
@@ -223,5 +227,5 @@ def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Ma
         "words": on_paper(step.words.of(lang), solution),
         "equation": objects.add("eq", step.equation) if step.equation else "",
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
-        "formulas": [objects.add("f", same.get(id(node), node)) for node in step.formulas],
+        "formulas": [objects.add("f", one) for one in abreast([same.get(id(node), node) for node in step.formulas])],
     }

@@ -18,7 +18,7 @@ from ..printed.places import place_parts
 from ..solution import Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
-from .tables import inks_of, trimmed
+from .tables import trimmed
 from .values import called
 
 _HEADER = {
@@ -42,7 +42,7 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     if all(row[-1] in ("0", "—") for row in rows):  # every line lies where it must
         rows = [(*row[:-1], "—") for row in rows]
     rows = [(*row[:-1], off) for row, off in zip(rows, with_zeros([row[-1] for row in rows]), strict=True)]
-    return trimmed(_HEADER[lang], rows, (), "lddld", lang, inks_of(solution, (answer.key for answer, _ in acting)))
+    return trimmed(_HEADER[lang], rows, (), "lddld", lang)
 
 
 def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:

@@ -81,12 +81,9 @@ def trimmed(
     widths: Sequence[float],
     align: str,
     lang: Lang = "zh",
-    inks: Sequence[Rgb | None] = (),
-    inked: int = 0,
     groups: Sequence[str] = (),
 ) -> DataTable:
-    """The table without columns in which nothing stands; inks: of what stands in the column `inked`; groups: of the
-    rows, the units of their numbers."""
+    """The table without columns in which nothing stands; groups: of the rows, the units of their numbers."""
     kept = [i for i in range(len(header)) if not rows or any(row[i] not in (_NONE, "") for row in rows)]
     return DataTable(
         [header[i] for i in kept],
@@ -94,8 +91,6 @@ def trimmed(
         [widths[i] for i in kept] if widths else None,
         "".join(align[i] for i in kept),
         lang=lang,
-        inks=inks,
-        inked=kept.index(inked) if inked in kept else 0,
         groups=groups,
     )
 

@@ -20,7 +20,7 @@ _HEADINGS = {
 
 
 _AGREE = Words("原书答案与精确值相符。", "The textbook answers agree with the exact values.")
-_SAME = Words("各数与原书答案一致。", "The textbook answers are the same.")
+_SAME = Words("各计数均与原书答案一致。", "All counts agree with the textbook answers.")
 _GAP: dict[Lang, str] = {"zh": "　", "en": "  "}
 _AFTER: dict[Lang, str] = {"zh": "", "en": " "}
 

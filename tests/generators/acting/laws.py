@@ -103,7 +103,7 @@ def _travel(at: moving.Moving, link: str, point: str, way: float) -> tuple[float
 
     q = _range(at.mech)
     there = path(q)
-    low, high = (sign * _highest(lambda at, sign=sign: sign * path(at), q, sign * there) for sign in (-1.0, 1.0))
+    high, low = _highest(path, q, there), -_highest(lambda at: -path(at), q, -there)
     here = (at.place(link, local) * np.exp(-1j * way)).real
     return here - low, high - low
 

@@ -140,7 +140,7 @@ def _swings(cycle: Cycle, found: Facts) -> Iterator[Words]:
         yield Words(
             f"${info.symbol}$ {span.zh}往复 {times} 次，介于 {low}（{where(cycle, swing.lowest)}）"
             f"和 {high}（{where(cycle, swing.highest)}）之间。",
-            f"${info.symbol}$ goes to and fro {times} {'time' if times == 1 else 'times'} "
+            f"${info.symbol}$ oscillates {times} {'time' if times == 1 else 'times'} "
             f"{span.en}, between {low} ({where(cycle, swing.lowest)}) and {high} "
             f"({where(cycle, swing.highest)}).",
         )

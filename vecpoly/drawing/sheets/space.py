@@ -8,9 +8,9 @@ from ...foundation.stock import A4, FORMATS, Format, Paper
 
 FRAME = 10.0  # paper edge to frame
 STRIP = 16.0  # title strip at the foot, inside the frame
-PLATE, NARROW = 170.0, 118.0  # width of a plate at most and at least: a sheet in the text, as large as its figures
+PLATE, NARROW = 170.0, 118.0  # width of a sheet in the text, which is that of the text; of what is filled at least
 HIGHEST = 155.0  # of a plate over its strip, for which figures are made smaller: what is higher has a page
-LARGEST = (190.0, 198.0)  # of a plate, wide and high, that figures have instead of a page of which bands are white
+LARGEST = (190.0, 198.0)  # of a plate in place of a page of which bands are white; wider than the text if need be
 SPARSE = 0.6  # share of a page below which figures look lost on it
 CLEAR = 5.0  # white between the frame and the first figure, and between figures
 CAPTION = 15.0  # title and scale under a figure

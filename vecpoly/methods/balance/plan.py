@@ -26,7 +26,7 @@ def balance_pass(desk: Desk, problem: Problem) -> None:
             "各构件的质径积都已平衡，机构总质心静止，任何位置、任何转速下惯性力的合力为零（惯性力矩未平衡）。"
             "所加质量及其与机构原有质量之比：",
             "The products of every link are balanced now: the common centre of mass stands still, and the inertia "
-            "forces add up to nothing at any position and speed (their moment is not balanced). The mass added "
+            "forces sum to zero at any position and speed (their moment is not balanced). The mass added "
             "and its ratio to the mass of the linkage are:",
         )
     )

@@ -184,9 +184,9 @@ def _of_power(load: str, speed: str, *, force: bool) -> Words:
     return Words(
         f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，{way.zh}由该和的"
         "正负判定。作用点的速度沿力方向的分量由速度多边形量得。",
-        f"The power of ${load}$ equals that of all forces and moments: its size is that of the sum of the powers "
-        f"$F v cos α$ and $M ω$, over ${speed}$; the sign of the sum determines {way.en}. The component of each "
-        "velocity along its force is measured on the polygon.",
+        f"The power of ${load}$ equals the sum of the powers $F v cos α$ and $M ω$ of all forces and moments: its "
+        f"magnitude is that sum divided by ${speed}$, and the sign of the sum determines {way.en}. The component of "
+        "each velocity along its force is measured on the polygon.",
     )
 
 

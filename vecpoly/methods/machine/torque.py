@@ -146,7 +146,7 @@ def draw_surplus(period: Period, sizes: Sizes, moments: Moments) -> Quantity:
 def _missed(left: float, whole: float) -> Words:
     """What the works miss zero by, which is shared out; nothing where they add up."""
     if abs(left) <= SMALL * whole:
-        return Words("各功之和为零。", " They add up to nothing, as they should.")
+        return Words("各功之和为零。", " Their sum is zero.")
     return Words(
         f"各功之和应为零，读数之差 {number(left)} J 按大小分摊。",
         f" Their sum should be zero; the error of reading of {number(left)} J is distributed in proportion to "

@@ -150,7 +150,7 @@ def keep_areas(period: Period, surplus: Quantity) -> None:
     period.board.step(
         Words(
             "若略去 $J_e$ 的变化，由最大盈亏功近似求飞轮转动惯量：",
-            "Where the changes of $J_e$ are left out, the greatest surplus tells the flywheel approximately:",
+            "If the variation of $J_e$ is neglected, the greatest surplus of work gives $J_F$ approximately:",
         )
     )
     mean = magnitude("ω_m", run.speed, "rad/s")

@@ -32,12 +32,13 @@ SHEET = View.MECHANISM
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
-    """A candidate on paper: its number, its pins by every hand (mm), its verdict, and by what it is ordered."""
+    """A candidate on paper: its number, pins by every hand (mm), verdict, by what it is ordered, what linkage it is."""
 
     number: int
     pins: Mapping[str, Points]
     verdict: Verdict
     order: tuple[float, ...]
+    kind: Words | None
 
 
 @dataclass(slots=True)
@@ -47,6 +48,7 @@ class Draft(Bench):
     numbers: the number of each candidate in the order in which they are found, as a first sketch tells it, and how many
     of them are valid. sketched: the candidates of that sketch, at the scale of this sheet. asked: the keys that are to
     be read. take: the number of the solution that is taken. rejected: whether the candidate found next is no solution.
+    kind: what linkage that is.
     """
 
     numbers: tuple[int, ...] = ()
@@ -55,6 +57,7 @@ class Draft(Bench):
     take: int = 1
     asked: frozenset[str] = frozenset()
     rejected: bool = False
+    kind: Words | None = None
     found: list[Found] = field(default_factory=list)
 
     # -- numbers and letters ---------------------------------------------------------------------------------
@@ -91,8 +94,8 @@ class Draft(Bench):
     def candidate(self, verdict: Verdict, order: tuple[Reals, ...], **pins: Points) -> None:
         """A candidate is finished; the next has another number."""
         by = tuple(float(nominal(value)) for value in order)
-        self.found.append(Found(number=self.number, pins=pins, verdict=verdict, order=by))
-        self.rejected = False
+        self.found.append(Found(number=self.number, pins=pins, verdict=verdict, order=by, kind=self.kind))
+        self.rejected, self.kind = False, None
 
     def paired(self, found: Sequence[Mapping[str, Points]]) -> None:
         """What is about to be found, by its pins, where a hand finds more or fewer than the sketch: each has the number
@@ -214,6 +217,7 @@ class Draft(Bench):
             pins=FrozenMap({letter: complex(nominal(at)) for letter, at in one.pins.items()}),
             verdict=one.verdict.name,
             reason=None if valid else one.verdict.value,
+            kind=one.kind,
             values=FrozenMap({key: read[name].scalar for key, name in kept.items() if valid}),
             spread=FrozenMap({key: spread(found[name]) for key, name in kept.items() if valid}),
             lost=max(map(lost, one.pins.values()), default=0.0),

@@ -9,7 +9,7 @@ from ...solution import Answer, Solution
 from ...words import Lang, Words
 from ..flow.results.halved import HalvedTable
 from ..flow.table import DataTable
-from ..tables import inks_of, trimmed
+from ..tables import trimmed
 from .alike import named_once
 from .errors import NOTHING, beside
 from .kinds import tables_and_sentences
@@ -81,5 +81,4 @@ def _values(answers: Sequence[Answer], solution: Solution, lang: Lang) -> DataTa
     heads, rows = filled(answers, solution, lang)
     header = [heads[n] for n in _KEPT]
     cells = [(name, *(row[n] for n in _KEPT[1:])) for (_, name), row in zip(once, rows, strict=True)]
-    inks, units = inks_of(solution, (one.key for one in answers)), [unit_of(one) for one in answers]
-    return HalvedTable.of(trimmed(header, cells, (), _ALIGN, lang, inks, groups=units))
+    return HalvedTable.of(trimmed(header, cells, (), _ALIGN, lang, [unit_of(one) for one in answers]))

@@ -62,13 +62,14 @@ def short_line(answer: Answer, solution: Solution, lang: Lang, *, read: bool = T
     if answer.is_place and answer.drawn_vector is None and not answer.undefined:
         turn = _way(answer)
         return Row((name, Txt(Words(f" 在无穷远处（{turn}）", f" at infinity ({turn})").of(lang))))
-    result = Txt(result_of(answer, lang) + _bracket(answer, solution.problem, way, lang))
+    said = split_words(result_of(answer, lang) + _bracket(answer, solution.problem, way, lang))
+    result = [row(piece) if formula else Txt(piece) for formula, piece in said]
     if is_worded(answer.key, answer.reading.unit):
-        return Row((result,))
+        return Row((*result,))
     parts: tuple[Node, ...] = (name, Txt(" = "))
     if read and is_length_times_scale(answer, solution):
         parts = (*parts, row(reading.scale), Txt(f"·{on_paper(answer)} mm"), Txt(" = "))
-    return Row((*parts, result))
+    return Row((*parts, *result))
 
 
 def named_line(answer: Answer, solution: Solution, lang: Lang) -> Node:

@@ -35,8 +35,10 @@ def remark_of(answer: Answer, lang: Lang) -> str:
 
 
 def stands_still(answer: Answer) -> bool:
-    """Whether it is the ω or α of a link that only translates, beside whose 0 that is said."""
-    return answer.reading.remark is not None and answer.reading.unit.startswith("rad/s") and not answer.drawn
+    """Whether it is the ω or α of a link that only translates, or a Coriolis term that does not exist, beside whose 0
+    that is said."""
+    turns = answer.reading.unit.startswith("rad/s") or answer.key.startswith("ak_")
+    return answer.reading.remark is not None and turns and not answer.drawn
 
 
 def error_of(answer: Answer) -> str:

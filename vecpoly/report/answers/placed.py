@@ -12,7 +12,7 @@ from ...printed.places import place_parts
 from ...solution import Answer, Solution
 from ...words import Lang, Words
 from ..flow.table import DataTable
-from ..tables import inks_of, trimmed
+from ..tables import trimmed
 from ..values import rough
 from .errors import NOTHING, alike
 
@@ -48,8 +48,7 @@ def places_table(answers: list[Answer], solution: Solution, lang: Lang) -> DataT
     """The table of the places."""
     ends = zip(gaps(answers), _reaches(answers), strict=True)
     rows = [(*place_row(one), *end) for one, end in zip(answers, ends, strict=True)]
-    inks = inks_of(solution, (one.key for one in answers))
-    return trimmed([head.of(lang) for head in PLACES], rows, (), ALIGN_PLACES, lang, inks)
+    return trimmed([head.of(lang) for head in PLACES], rows, (), ALIGN_PLACES, lang)
 
 
 def place_row(answer: Answer) -> tuple[str, ...]:

@@ -12,10 +12,9 @@ from ...printed.digits import drawn_number, exact_number, is_hopeless, on_paper
 from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution
-from ...typeset.box import Rgb
 from ...words import Lang, Words
 from ..flow.table import DataTable
-from ..tables import inks_of, trimmed
+from ..tables import trimmed
 from ..values import called, class_told, direction_of_load, is_class, value
 from .alike import named_once
 from .errors import NOTHING, beside
@@ -58,27 +57,17 @@ def readings_at(
     """The same at several positions, each told in the first column; without the expected errors."""
     values: list[tuple[str, ...]] = []
     places: list[tuple[str, ...]] = []
-    inks: tuple[list[Rgb | None], list[Rgb | None]] = ([], [])
     for where, solution, answers in positions:
         spots, others = parted(answers)
         values += _at(where, [_with_scale(row_of(one, solution, lang, unit_of(one)), solution) for one in others])
         placed = [(*place_row(one), gap) for one, gap in zip(spots, gaps(spots), strict=True)]
         places += _at(where, placed)
-        for told, of_one in zip(inks, (others, spots), strict=True):
-            told += inks_of(solution, (one.key for one in of_one))
-    tables = ((_without_gaps(values), _HEADS, _ALIGN, inks[0]), (places, PLACES, ALIGN_PLACES, inks[1]))
+    tables = ((_without_gaps(values), _HEADS, _ALIGN), (places, PLACES, ALIGN_PLACES))
     return tuple(
         trimmed(
-            [drive, *(head.of(lang) for head in heads[:-1])],
-            rows,
-            (),
-            f"l{align[:-1]}",
-            lang,
-            hues,
-            1,
-            groups=[row[2] for row in rows],
+            [drive, *(head.of(lang) for head in heads[:-1])], rows, (), f"l{align[:-1]}", lang, [row[2] for row in rows]
         )
-        for rows, heads, align, hues in tables
+        for rows, heads, align in tables
         if rows
     )
 
@@ -148,8 +137,7 @@ def _values(every: list[Answer], solution: Solution, lang: Lang) -> DataTable:
     answers = [one for one, _ in once]
     header, rows = filled(answers, solution, lang)
     rows = [(name, *row[1:]) for (_, name), row in zip(once, rows, strict=True)]
-    inks = inks_of(solution, (one.key for one in answers))
-    return trimmed(header, rows, (), _ALIGN, lang, inks, groups=[unit_of(one) for one in answers])
+    return trimmed(header, rows, (), _ALIGN, lang, [unit_of(one) for one in answers])
 
 
 def _headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:

@@ -9,7 +9,7 @@ from ...drawing.backends.pdf import draw_pdf
 from ...drawing.scene import Item, Scene, TextBox
 from ...tagging.speech import words_said
 from ...typeset import layout_words
-from ...typeset.box import MM, Rgb
+from ...typeset.box import MM
 from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Drawing
@@ -85,16 +85,13 @@ class Press:
 
     def table(
         self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL,
-        inks: Sequence[Rgb | None] = (), inked: int = 0,
     ) -> str:  # fmt: skip
         """A numbered table without columns of dashes; its name for the template."""
         kept = told_columns(header, rows)
         header, rows = united([header[i] for i in kept], [tuple(row[i] for i in kept) for row in rows])
-        align, inked = "".join(align[i] for i in kept), kept.index(inked) if inked in kept else 0
+        align = "".join(align[i] for i in kept)
         caption = self._caption(_TABLE, "table", title)
-        made = DataTable(
-            header, rows, None, align, lang=self.lang, caption=caption.text, style=style, inks=inks, inked=inked
-        )
+        made = DataTable(header, rows, None, align, lang=self.lang, caption=caption.text, style=style)
         return self._kept("tab", made, caption)
 
     def _kept(self, prefix: str, thing: object, *captions: _Caption) -> str:
@@ -124,7 +121,7 @@ class Press:
         """The same of tables that are made already, if any; where there are two, the second is one of places."""
         titles = (title, title + Words("：点的位置", ": positions of points"))[: len(made)]
         return [
-            self.table(one, each.header, each.rows, each.align, style=style, inks=each.inks, inked=each.inked)
+            self.table(one, each.header, each.rows, each.align, style=style)
             for one, each in zip(titles, made, strict=True)
         ]
 

@@ -111,9 +111,9 @@ class ReportDoc(Floating):
         return [words, *sheets]
 
     def _furniture(self, canvas: Any, _: Any) -> None:
-        """Running header and footer."""
+        """Running header and footer; the first page has the title itself."""
         if not self._counts:
-            head(canvas, self.metadata.title)
+            head(canvas, self.metadata.title if canvas.getPageNumber() > 1 else "")
             foot(canvas, FOOT, self.metadata.identity)
 
     def _foot(self, canvas: Any, _: Any) -> None:

@@ -83,7 +83,9 @@ def beside(width: float) -> float:
 
 
 def head(canvas: Any, title: str) -> None:
-    """The running title over a rule."""
+    """The running title over a rule; none on a page that has no title to repeat."""
+    if not title:
+        return
     width, height = canvas._pagesize
     canvas.saveState()
     canvas.setFillColorRGB(*GREY)

@@ -1,127 +1,16 @@
-"""Cells broken into lines by Chinese and Latin rules, lines justified and drawn."""
+"""Cells drawn as lines, justified."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 from ...tagging.pieces import Marks
 from ...tagging.tree import Open
 from ...typeset.box import MM, Glyphs
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
-from .cells import BLANK, Cell, Gap, Kind, gap, parted
-from .text.balanced import balanced, spaces
-
-_LOOSEST = 0.1  # em added to a gap beyond which a line is rather left ragged
-_NORM = 0.08  # em added to a gap beyond which the lines before share it
-_SHARED = 0.25  # em added to each gap beyond which a line is rather broken within a long formula
-_LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
-
-
-@dataclass(frozen=True, slots=True)
-class Line:
-    """One line: its cells, the gaps between them, its indent and natural width without outer blanks, how far its ink
-    stands above and below its baseline (mm)."""
-
-    cells: tuple[Cell, ...]
-    gaps: tuple[Gap, ...]
-    indent: float
-    width: float
-    em: float
-    last: bool
-    ascent: float
-    descent: float
-
-
-def break_lines(
-    cells: Sequence[Cell], width: float, em: float, first: float = 0.0, *, least: float = _LEAST_GAP
-) -> list[Line]:
-    """Lines of the given width (mm), the first one indented, filled one after the other; where one would be stretched
-    far, the lines of the paragraph share it, and only where these cannot a long formula is broken within.
-    least: share of a blank that it may shrink to, 1 where the lines are set as they come."""
-    cells = list(cells)
-    gaps = spaces(cells, em)
-    lines = _greedy([*cells], [*gaps], width, em, first, least, cut=False)
-    if any(not line.last and _is_loose(line, width) for line in lines):
-        ends = balanced(cells, gaps, width, em, first, least)
-        shared = [_line(cells, gaps, start, end, 0.0 if start else first, em) for start, end in pairwise((0, *ends))]
-        if shared and not any(not line.last and _is_loose(line, width, _SHARED) for line in shared):
-            return shared
-        return _greedy(cells, gaps, width, em, first, least, cut=True)
-    return lines
-
-
-def _greedy(
-    cells: list[Cell], gaps: list[Gap], width: float, em: float, first: float, least: float, *, cut: bool
-) -> list[Line]:
-    """Each line as full as it may be; cut: long formulas are, where a line would be stretched far else."""
-    lines: list[Line] = []
-    start = 0
-    while start < len(cells):
-        indent = first if start == 0 else 0.0
-        end = _fill(cells, gaps, start, width - indent, least)
-        line = _line(cells, gaps, start, end, indent, em)
-        if cut and not line.last and _is_loose(line, width):
-            end = _fuller(cells, gaps, start, end, width - indent, em)
-            line = _line(cells, gaps, start, end, indent, em)
-        lines.append(line)
-        start = end
-    return lines
-
-
-def _is_loose(line: Line, width: float, most: float = _NORM) -> bool:
-    return width - line.indent - line.width > most * line.em * sum(g.stretch for g in line.gaps)
-
-
-def _fuller(cells: list[Cell], gaps: list[Gap], start: int, end: int, width: float, em: float) -> int:
-    """The index after the last cell of a line that goes on into a long formula after it, which is cut behind one of its
-    signs; its end where nothing of it fits."""
-    best, cut = end, None
-    for at in range(end, len(cells)):
-        for halves in parted(cells[at], em):
-            if _fits(cells, gaps, start, at, halves[0], width):
-                best, cut = at + 1, halves
-        if not _fits(cells, gaps, start, at, cells[at], width) or at == len(gaps):
-            break
-    if cut is not None:
-        cells[best - 1 : best] = cut
-        gaps[best - 1 : best - 1] = [gap(*cut, em)]
-    return best
-
-
-def _fits(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, at: int, last: Cell, width: float) -> bool:
-    """Whether a line that ends with this cell in that place is no wider than it may be."""
-    used = sum(cell.box.width for cell in cells[start:at]) + sum(g.width for g in gaps[start:at]) + last.box.width
-    return used - cells[start].lead - last.trail <= width
-
-
-def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float, least: float) -> int:
-    """The index after the last cell of the line that begins at `start`."""
-    used = cells[start].box.width - cells[start].lead
-    shrink = 0.0
-    best = fallback = start + 1
-    for i in range(start + 1, len(cells) + 1):
-        if used - shrink - cells[i - 1].trail > width + 1e-6 and i > start + 1:
-            return best if best > start + 1 or gaps[start].breakable else fallback
-        if i == len(cells):
-            return i
-        if gaps[i - 1].breakable:
-            best = i
-        fallback = i
-        if gaps[i - 1].stretch > 1.0:
-            shrink += gaps[i - 1].width * (1 - least)
-        used += gaps[i - 1].width + cells[i].box.width
-    return len(cells)
-
-
-def _line(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, end: int, indent: float, em: float) -> Line:
-    inner, boxes = tuple(gaps[start : end - 1]), [cell.box for cell in cells[start:end]]
-    width = sum([box.width for box in boxes]) + sum([g.width for g in inner])
-    width -= cells[start].lead + cells[end - 1].trail
-    ascent, descent = max([box.ascent for box in boxes]), max([box.descent for box in boxes])
-    return Line(tuple(cells[start:end]), inner, indent, width, em, end == len(cells), ascent, descent)
+from .cells import BLANK, Cell, Gap, Kind
+from .text.breaks import LOOSEST, Line
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,7 +34,7 @@ def fit(line: Line, width: float, align: str) -> Setting:
     if align == "right":
         return Setting(x + spare, 0.0, 0.0)
     stretch = sum(g.stretch for g in line.gaps)
-    loose = _LOOSEST * line.em * stretch
+    loose = LOOSEST * line.em * stretch
     if align != "justify" or line.last or not stretch or spare > loose:
         return Setting(x, 0.0, 0.0)
     return Setting(x, spare / stretch, 0.0)

@@ -13,8 +13,9 @@ from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block, Tightness
 from .cells import cells, chopped, joined
-from .lines import Line, break_lines, draw_line
+from .lines import draw_line
 from .style import Style, body
+from .text.breaks import Line, break_lines
 
 _WIDOWS = 2
 

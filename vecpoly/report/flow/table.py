@@ -13,16 +13,17 @@ from ...tagging.references import goal_of
 from ...tagging.tag import Role, Tag
 from ...tagging.tag import cell as cell_tag
 from ...tagging.tree import artifact, tree_of
-from ...typeset.box import MM, Rgb, inked
+from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
 from .base import Block, Tightness
 from .cells import Cell, cells, joined
-from .lines import Line, break_lines, draw_line
+from .lines import draw_line
 from .results.banded import LIGHT, Rules
 from .results.columns import longest, shared
 from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
+from .text.breaks import Line, break_lines
 from .text.continued import CONTINUED, continued
 
 PAD, _VERTICAL = 1.5, 1.6  # mm at either side of a cell, pt above and below a row
@@ -30,7 +31,6 @@ _HEAVY, _FINE = 0.9, 0.45  # pt
 _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"}
 
 _Row = tuple[tuple[Line, ...], ...]
-
 _MANY_ROWS, _LEAST_ROWS = 6, 4  # that a page break leaves before it of a whole table; of others, and behind it
 _PAGE_ROWS = 40  # for which a page has room
 
@@ -49,8 +49,8 @@ class _Set:
 
 
 class DataTable(Block):
-    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r, d, u each; inks: of
-    what stands in one column of the rows, the first unless `inked` says another.
+    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r, d, u each. Symbols
+    in it are black: colours are for equations and figures.
 
     d: numbers under each other by their decimal points, u: those of each of the `groups` of rows; others are centred.
     """
@@ -68,14 +68,11 @@ class DataTable(Block):
         lang: Lang = "zh",
         caption: str = "",
         style: Style = CELL,
-        inks: Sequence[Rgb | None] = (),
-        inked: int = 0,
         groups: Sequence[str] = (),
     ) -> None:
         super().__init__(6.0, 8.0)
         self.goal, self.header, self.rows = goal_of(caption), tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
-        self.inked, self.inks = inked, tuple(inks) or (None,) * len(self.rows)
         self.groups = tuple(groups) or ("",) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
@@ -108,9 +105,6 @@ class DataTable(Block):
         em, chinese = self.style.em, self.lang == "zh"
         header = [cells(text, em, chinese, True) for text in self.header]
         rows = [[cells(text, em, chinese, False) for text in row] for row in self.rows]
-        for row, rgb in zip(rows, self.inks, strict=True):
-            if rgb is not None:
-                row[self.inked] = tuple(replace(cell, box=inked(cell.box, rgb)) for cell in row[self.inked])
         widths = self._columns(width / MM, (header, *rows), self._points(self.rows))
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
         return self._measured(_Set(widths, head, body, self._points(unbroken(self.rows, body))))
@@ -168,10 +162,10 @@ class DataTable(Block):
     def _part(self, start: int, end: int, width: float, found: _Set) -> DataTable:
         """Some of its rows, in lines already in the column of the whole."""
         caption = self.caption if start == 0 else continued(self.caption, self.lang)
-        rows, inks, groups = self.rows[start:end], self.inks[start:end], self.groups[start:end]
+        rows, groups = self.rows[start:end], self.groups[start:end]
         part = type(self)(
             self.header, rows, found.widths, self.align,
-            lang=self.lang, caption=caption, style=self.style, inks=inks, inked=self.inked, groups=groups,
+            lang=self.lang, caption=caption, style=self.style, groups=groups,
         )  # fmt: skip
         part._continued, part._vertical = self._continued or start > 0, self._vertical
         part.goal = self.goal if start == 0 else ""

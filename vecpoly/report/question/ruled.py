@@ -10,9 +10,9 @@ from ...typeset.box import MM, Glyphs
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from ..flow.cells import Cell
-from ..flow.lines import Line
 from ..flow.style import GREY
 from ..flow.table import DataTable
+from ..flow.text.breaks import Line
 
 ROW, NAME = 8.0 * MM, 6.5 * MM  # least height of a row to be written in, and of one that names a group
 _BOLD = {Face.BOLD, Face.BOLD_ITALIC, Face.HEI, Face.HEI_BOLD}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TypeVar
+from typing import TypeVar, get_args
 
 from ...algebra.quantity import number
 from ...mechanism.asked.centres import count
@@ -13,7 +13,7 @@ from ...names import is_centre, is_place
 from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
 from ...problem.asked.checks import is_check
 from ...solution import YES_NO, Solution
-from ...words import Lang, Words
+from ...words import Lang, Words, bare
 from ..values import asked_load, called, curved, way_of
 from .groups import Group, by_groups, parted
 from .meant import meant_by, plural
@@ -36,6 +36,7 @@ _MEANT = {
 }
 _IN_LINE = ("_extended", "_overlapped")  # crank and coupler, in one line
 _NUMBER = "number of "  # that is said once of several in a row
+_SYMBOL = re.compile(r"\$[^$]+\$")
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
 T = TypeVar("T")
 
@@ -49,6 +50,18 @@ def asked(solution: Solution, lang: Lang) -> str:
         + comma.join(_once_named([text for _, text in some], lang))
         for group, some in asked_by_kinds(told)
     )
+
+
+def repeated(solution: Solution) -> bool:
+    """Whether the statement already asks for all of it, by the same symbols, or for all instant centres."""
+    return all(_repeated(solution.problem.statement.of(lang), asked(solution, lang), lang) for lang in get_args(Lang))
+
+
+def _repeated(statement: str, told: str, lang: Lang) -> bool:
+    symbols = {bare(one) for one in _SYMBOL.findall(told)}
+    if not symbols:
+        return told == ALL_CENTRES.of(lang) and told in statement
+    return symbols <= {bare(one) for one in _SYMBOL.findall(statement)}
 
 
 def _once_named(texts: Sequence[str], lang: Lang) -> Iterator[str]:

@@ -85,8 +85,8 @@ def _words(fig: CentreFigure, search: Search) -> Words:
     lines = [_line(fig, search.pair, way) for way in search.ways]
     if len(triangles) > 1 and fig.reasoned and not search.endless:
         return Words(
-            f"求 {p}：同理，由{'、'.join(triangles)} 知它既在{lines[0].zh}上，又在{lines[1].zh}上。",
-            f"Find {p} likewise, from {' and '.join(triangles)}: there {lines[0].en} meets {lines[1].en}.",
+            f"由{'、'.join(triangles)} 得 {p}，它是{lines[0].zh}与{lines[1].zh}的交点。",
+            f"From {' and '.join(triangles)}, {p} is the intersection of {lines[0].en} and {lines[1].en}.",
         )
     fig.reasoned |= len(triangles) > 1
     shared = Words(
@@ -156,7 +156,8 @@ def _remarks(fig: CentreFigure, search: Search, here: Centre) -> None:
     elif len(lines) == 2 and not here.endless and abs(float(nominal(cross(lines[0].along, lines[1].along)))) < GOOD:
         fig.board.remark(
             Words(
-                "（两线交角很小，交点不易准确。）", " (The lines meet at a small angle: a poorly defined intersection.)"
+                "两线交角很小，交点不易准确。",
+                " The lines meet at a small angle; their intersection is poorly defined.",
             )
         )
 
@@ -172,6 +173,6 @@ def _passed_over(fig: CentreFigure, search: Search) -> Words:
         return Words.same("")
     one, two = (_line(fig, search.pair, way) for way in ways[:2])
     return Words(
-        f"（{one.zh}与{two.zh}近于平行或过短，改用另一对直线。）",
-        f" (The pair of {one.en} and {two.en} is nearly parallel or too short: two other lines are taken.)",
+        f"{one.zh}与{two.zh}的交点不易准确，故改用另一对直线。".lstrip(),
+        f" The intersection of {one.en} and {two.en} would be poorly defined, so two other lines are taken.",
     )

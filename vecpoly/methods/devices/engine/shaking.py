@@ -108,7 +108,7 @@ def _masses(bench: Bench, device: ShakingForce) -> tuple[Quantity, Quantity]:
     board.step(
         Words(
             "连杆的质量 $m_2$ 代换到 $B$、$C$ 两点：$B$ 处随曲柄转动的质量 $m_B$，$C$ 处往复的质量 $m_C$。",
-            "The mass $m_2$ of the rod is put at $B$ and $C$: $m_B$ turns with the crank, $m_C$ goes to and fro.",
+            "The mass $m_2$ of the rod is put at $B$ and $C$: $m_B$ turns with the crank, $m_C$ reciprocates.",
         )
     )
     rod_, span = magnitude("m_2", device.m2.si, "kg"), magnitude("l", device.l.si * 1e3, "mm")

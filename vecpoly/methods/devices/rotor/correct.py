@@ -74,8 +74,8 @@ def _drilled(bench: Bench, rotor: Rotor, end: str, polygon: Polygon, needed: Qua
 _NEEDED = Words("在校正半径 $r_b$ 处所需的质量为：", "At the radius $r_b$ the mass needed is:")
 _REMOVED = Words("在半径 $r_b$ 处应钻去的质量为：", "At the radius $r_b$ the mass to be drilled out is:")
 _TWO = Words(
-    "用两个相同的孔代替，它们在所求方位两侧各偏 $γ$，每孔的质量为：",
-    "Two equal holes replace it, at $γ$ on either side of that direction; the mass of each is:",
+    "用两个相同的孔代替，它们在所求方位两侧各偏 $γ$，质量各为：",
+    "Two equal holes replace it, at $γ$ on either side of that direction, each with the mass:",
 )
 
 

@@ -153,9 +153,9 @@ def _then(bench: Bench, place: Pane, device: RunUp, course: Course, time: Quanti
     foot = board.lay_off(0j, 1 + 0j, board.to_paper_across(place, at))
     point = board.lay_off(foot, 1j, board.to_paper(place, omega + off))
     board.join(place, foot, point, Role.CONSTRUCTION)
-    board.plot(place, foot, "T", Dot.NONE)
+    board.plot(place, foot, "H", Dot.NONE)
     board.plot(place, point, "P", Dot.POINT)
-    return board.measure(foot, point, "T P")
+    return board.measure(foot, point, "H P")
 
 
 def _weighed(bench: Bench, timed: Timed, course: Course, device: RunUp, speeds: tuple[float, ...]) -> list[Reals]:

@@ -33,9 +33,9 @@ INVERSES_AGAIN = Words(
     "In the same way draw $y = 1/|ΔM|$ over $ω$ and measure the area below it, which gives the time:",
 )
 SPEEDS = Words(
-    "到某一转速为止的面积即到该转速的时间，由此作 $ω$–$t$ 线图；其线下的面积为转角：",
-    "The area up to a speed is the time until then: this gives the curve of $ω$ over $t$, below which the area is the "
-    "angle:",
+    "曲线下到转速 $ω$ 为止的面积，即达到该转速所需的时间 $t$；由此作 $ω$–$t$ 线图，线下的面积即为转过的角度 $φ$：",
+    "The area under the curve up to the speed $ω$ is the time $t$ taken to reach it, which gives the curve $ω(t)$; the "
+    "area under $ω(t)$ is the angle $φ$ turned:",
 )
 SPEEDS_AGAIN = Words(
     "由此再作 $ω$–$t$ 线图，量得线下的面积，求转角：",

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from functools import reduce
 from itertools import pairwise
+from operator import add
 
 import numpy as np
 
@@ -53,6 +56,8 @@ def joined(sheet: Sheet, verdict: Verdict) -> None:
 
 def closed(sheet: Sheet, verdict: Verdict) -> None:
     """The candidate is finished."""
+    kinds = [kind for kind, _ in _kinds(sheet)] if verdict is Verdict.VALID else []
+    sheet.draft.kind = reduce(add, kinds) if kinds else None
     sheet.draft.candidate(verdict, _order(sheet), **_pins(sheet))
 
 
@@ -64,7 +69,8 @@ def _told(sheet: Sheet, verdict: Verdict) -> Words:
     if verdict is not Verdict.VALID:
         return told
     if not sheet.plan.either:
-        return behind(told, kinds) if (kinds := _kinds(sheet)).en else told
+        kinds = [why for _, why in _kinds(sheet)]
+        return behind(told, reduce(add, kinds)) if kinds else told
     first, last = drives(sheet, sheet.plan.loops[0])
     if first is last is Verdict.VALID:
         return told
@@ -87,9 +93,8 @@ def _lettered(sheet: Sheet) -> None:
     draft.board.remark(Words(f"各铰链的字母：{'、'.join(same)}。", f" Letters of its pins: {', '.join(same)}."))
 
 
-def _kinds(sheet: Sheet) -> Words:
-    """Of what type its slider-cranks are: whether the link on the frame can turn fully."""
-    told = Words("", "")
+def _kinds(sheet: Sheet) -> Iterator[tuple[Words, Words]]:
+    """Of what type its slider-cranks are, whether the link on the frame can turn fully; the same with the reason."""
     for loop in sheet.plan.loops:
         if isinstance(loop, Sliding):
             turns, name = turns_fully(sheet, loop), f"${loop.a}{loop.b}{loop.c}$"
@@ -103,10 +108,10 @@ def _kinds(sheet: Sheet) -> Words:
                 if aside
                 else Words("", "")
             )
-            told += Words(
-                f"（因 {terms}{e.zh}，{name} 为{kind.zh}。）", f" (Since {terms}{e.en}, {name} is {kind.en}.)"
+            yield (
+                Words(f"{name} 为{kind.zh}。", f"The linkage {name} is {kind.en}."),
+                Words(f"（因 {terms}{e.zh}，{name} 为{kind.zh}。）", f" (Since {terms}{e.en}, {name} is {kind.en}.)"),
             )
-    return told
 
 
 def _chain(sheet: Sheet, loop: Loop, n: int) -> tuple[Points, ...]:

@@ -18,7 +18,7 @@ from ...answers.line import AnswerLine
 from ..blocks import spoken
 from ..cells import cells, joined
 from ..formula import lines as broken
-from ..lines import break_lines
+from ..text.breaks import break_lines
 
 MOST = 3  # columns
 GUTTER, NARROW = 12.0, 5.0  # mm between two of them, and where they would have no room else

@@ -34,7 +34,7 @@ class HalvedTable(DataTable):
         """The same table, set so."""
         return cls(
             table.header, table.rows, table.widths, table.align,
-            lang=table.lang, caption=table.caption, inks=table.inks, inked=table.inked, groups=table.groups,
+            lang=table.lang, caption=table.caption, groups=table.groups,
         )  # fmt: skip
 
     def tighten(self, degree: Tightness) -> None:
@@ -86,7 +86,7 @@ class HalvedTable(DataTable):
     def _half(self, rows: slice, widths: tuple[float, ...]) -> DataTable:
         return DataTable(
             self.header, self.rows[rows], widths, self.align,
-            lang=self.lang, style=self.style, inks=self.inks[rows], inked=self.inked, groups=self.groups[rows],
+            lang=self.lang, style=self.style, groups=self.groups[rows],
         )  # fmt: skip
 
     def _as_tight(self, half: DataTable, width: float) -> DataTable:

@@ -20,17 +20,18 @@ def spaces(cells: Sequence[Cell], em: float) -> list[Gap]:
 
 
 def balanced(
-    cells: Sequence[Cell], gaps: Sequence[Gap], width: float, em: float, first: float, least: float
+    cells: Sequence[Cell], gaps: Sequence[Gap], width: float, em: float, first: float, least: float, floor: float = 0.0
 ) -> list[int]:
     """The index after the last cell of each line, all of them as evenly stretched as may be; none where the cells
-    cannot be set in so narrow a measure without a break in what is not to be parted."""
+    cannot be set in so narrow a measure without a break in what is not to be parted.
+    floor: the least width of the last line (mm)."""
     count = len(cells)
     cost, before = [0.0, *[inf] * count], [0] * (count + 1)
     for start in range(count):
         if cost[start] == inf:
             continue
         room = width - (0.0 if start else first)
-        for end, price in _lines_from(cells, gaps, start, room, em, least):
+        for end, price in _lines_from(cells, gaps, start, room, em, least, floor):
             if cost[start] + price < cost[end]:
                 cost[end], before[end] = cost[start] + price, start
     ends, at = list[int](), count
@@ -41,7 +42,7 @@ def balanced(
 
 
 def _lines_from(
-    cells: Sequence[Cell], gaps: Sequence[Gap], start: int, room: float, em: float, least: float
+    cells: Sequence[Cell], gaps: Sequence[Gap], start: int, room: float, em: float, least: float, floor: float
 ) -> list[tuple[int, float]]:
     """Where a line that begins there may end, and what that costs: the square of how far it is stretched."""
     found, used, shrink, stretch = list[tuple[int, float]](), -cells[start].lead, 0.0, 0.0
@@ -51,7 +52,7 @@ def _lines_from(
         if natural - shrink > room + 1e-6:
             break
         if at == len(cells) - 1:
-            found.append((at + 1, 0.0))
+            found += [(at + 1, 0.0)] if natural >= floor else []
             break
         if gaps[at].breakable:
             spare = max(0.0, room - natural)

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from ....typeset.atoms import is_unit
 
-_RELATIONS, _SIGNS = frozenset("=≈≙≤≥<>≠"), frozenset("+−×")
+RELATIONS, SIGNS = frozenset("=≈≙≤≥<>≠"), frozenset("+−×")
 _NUMBER = re.compile(r"[(（]?[+−-]?\d[\d.,:]*(?:×10\^\{?[−-]?\d+\}?)?\)?")
 _OPENS, _COORDINATE = re.compile(r"\([+−-]?\d[\d.]*,?"), re.compile(r"[+−-]?\d[\d.]*")
 _MARKS = "°),.;:!?，。；：、"
@@ -27,9 +27,9 @@ def held(before: str, after: str) -> bool:
     """Whether two neighbouring pieces of text stay on one line; a formula is ``$``."""
     if is_number(before) and is_unit(after.rstrip(",.;:!?，。；：、)）")):
         return True
-    if before in _RELATIONS:
+    if before in RELATIONS:
         return is_number(after.rstrip("°,.;:，。；、"))
-    if after in _RELATIONS:
+    if after in RELATIONS:
         return before == "$" or is_number(before)
     if before + after in _SENSES or (before == "$" and after in ("逆", "顺")):
         return True
@@ -66,10 +66,10 @@ def unbroken(text: str, before: str = "") -> str:
 
 def _kept(before: str, after: str) -> bool:
     """As `held`, in a narrow column: sums of numbers are not parted, a chain goes on with its next equality sign."""
-    if before in _SIGNS:
+    if before in SIGNS:
         return is_number(after.rstrip("°,.;:，。；、"))
-    if is_number(before) and after in _SIGNS | _RELATIONS:
-        return after in _SIGNS
+    if is_number(before) and after in SIGNS | RELATIONS:
+        return after in SIGNS
     return held(before, after)
 
 

@@ -30,7 +30,8 @@ def added(bench: Bench, rotor: Rotor, end: str, polygon: Polygon, plane: RotorPl
         return
     way = float(np.angle(nominal(-polygon.tip)))
     turns = [way] if plane.hole is None else [way + tau / 2 + side for side in _sides(plane)]
-    _drawn_in(bench, rotor, end, plane, turns, [f"m_{{b{end}}}"] * len(turns))
+    two = [f"m{prime}_{{h{end}}}" for prime in ("′", "′′")]
+    _drawn_in(bench, rotor, end, plane, turns, [f"m_{{b{end}}}"] if len(turns) == 1 else two)
 
 
 def _sides(plane: RotorPlane) -> tuple[float, ...]:
