@@ -55,7 +55,7 @@ from vecpoly.report.flow.paging.tight import DEGREES
 from vecpoly.report.picture import to_scale
 from vecpoly.report.question.blanks import empty_table, working_room
 from vecpoly.report.question.equations import numbers
-from vecpoly.report.question.framed.fields import FIELDS, KEY
+from vecpoly.report.question.framed.fields import FIELDS, KEY, SUMS
 from vecpoly.report.question.framed.frames import WHITES, frames
 from vecpoly.report.question.framed.grid import shares
 from vecpoly.report.question.framed.known import by_data
@@ -217,8 +217,9 @@ def test_a_frame_tells_the_numbers_of_the_equations_that_are_drawn_in_it_and_not
     answer, told = drawn(name).construction, list[int]()
     for frame in blank_of(name)[0].figures:
         written = [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY]
-        assert len(written) == bool(numbers(answer, frame))
-        for words in written:
+        bare = written == ["Vector equation:"] and frame.view in SUMS  # a sum for which there is no table
+        assert len(written) == bool(numbers(answer, frame)) or bare
+        for words in () if bare else written:
             assert re.fullmatch(r"Equations? \(\d+\)([–, ]+\(\d+\))*:?", words)
             runs = [[int(n) for n in re.findall(r"\d+", run)] for run in words.split(", ")]
             told += [n for run in runs for n in range(run[0], run[-1] + 1)]
