@@ -247,6 +247,13 @@ def test_the_squares_leave_no_page_of_text_empty_and_the_results_stand_at_the_fo
         assert rows and min(rows) > max(grid, default=0.0)
 
 
+def test_squares_are_parted_by_no_page_break_where_the_work_has_room_in_two_columns() -> None:
+    """They took another page whenever a line each did not fit (`ex10`: a page and a half of squares)."""
+    (block,) = working("Working", 300.0, (), "en")
+    assert block.wrap(COLUMN, 200.0 * MM)[1] <= 200.0 * MM
+    assert block.wrap(COLUMN, 150.0 * MM)[1] > 150.0 * MM
+
+
 @pytest.mark.parametrize(("name", "computed"), [("curv-6", False), ("straight-chebyshev", False), ("7-3", True)])
 def test_there_are_squares_to_work_on_where_something_is_computed(name: str, computed: bool) -> None:
     assert bool(working_room(drawn(name).solution)) is computed
