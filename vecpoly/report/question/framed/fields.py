@@ -22,7 +22,7 @@ FIELDS = (KEY, READ, BAR)
 SUMS = (COUPLES, PRODUCTS)  # polygons that are the sum of something, with a table of the equation or without
 MOST = 2  # equations that have a line each; of more the numbers are told, for they are written on the pages before
 WRITTEN, READS = 80.0, 60.0  # mm: a frame in which an equation is written; of a line for readings beside a bar
-_EDGE, _GAP = 4.0, 2.0  # mm: to the frame; from the words to a rule
+_EDGE, _GAP, _APART = 4.0, 2.0, 7.0  # mm: to the frame; from the words to a rule; between words on one line
 _EQUATION, _COLON = Words("矢量方程", "Vector equation"), Words("：", ":")
 
 
@@ -99,7 +99,7 @@ def _under(some: Fields, low: complex, end: float) -> Iterator[Mark]:
     foot = low + 1j * LINE / 2
     if some.equations and not some.lines:
         yield _note(_equations(some.equations), foot, KEY)
-        foot += _wide(_equations(some.equations)) + _EDGE
+        foot += _wide(_equations(some.equations)) + _APART
     beside = end - _EDGE - (some.bar.wide if some.bar is not None else 0.0)
     read = some.read
     aside = read is None or beside - foot.real >= (read.wide + _EDGE if read.named else BEFORE + READS)
