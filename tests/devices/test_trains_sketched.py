@@ -62,7 +62,7 @@ def test_every_wheel_has_the_symbol_of_its_teeth_beside_it_which_are_among_the_d
     found = marks(shown)
     told = [mark.label for mark in found if isinstance(mark, Point) and mark.label.startswith("z")]
     assert len(told) == len(set(told)) == sum(isinstance(mark, GearMark) for mark in found)
-    assert set(told) <= dict(shown.given()).keys()  # type: ignore[attr-defined]
+    assert set(told) <= dict(shown.given()).keys()
     assert not any(isinstance(mark, Note) for mark in found)
 
 
