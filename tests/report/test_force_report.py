@@ -24,9 +24,10 @@ from vecpoly.problem.library import entries
 from vecpoly.problem.load import load, loads
 from vecpoly.report.document import write_report
 from vecpoly.report.picture import picture
-from vecpoly.report.question.framed.fields import FIELDS, READ
+from vecpoly.report.question.framed.fields import FIELDS
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.known import by_data
+from vecpoly.report.question.framed.readings import READ
 from vecpoly.report.titles import subject
 from vecpoly.report.values import rough, value
 from vecpoly.solution import Solution, solve

@@ -20,7 +20,7 @@ from ..flow.style import NOTE
 from ..plates.sketch import sketch_of
 from .blanks import empty_table, working_room
 from .columns import NONE
-from .equation_rows import equation_rows, laid
+from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
 from .framed.known import begun, is_circle
@@ -63,7 +63,7 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
         foot.append(Para(_DASHES.of(lang), NOTE, lang))
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
-        "rows": [objects.add("rows", one) for one in laid(equation_rows(solution, lang))],
+        "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
         "circle": [objects.add("pic", one) for one in _circles(solution, blank, lang)],
         "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
         "poles": any(map(_has_pole, blank)),

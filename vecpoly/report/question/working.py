@@ -16,6 +16,7 @@ SQUARE = 5.0 * MM
 LEAST_ROOM, _LITTLE = 35.0 * MM, 25.0 * MM  # of squares under a heading; less is no room: over a tall table
 _TALL, _TALLEST = 180.0 * MM, 190.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
 _GAP = 3.0 * MM
+_CLOSE = 0.6  # of the room that the work has on lines of its own: so much it needs in two columns, which spares a page
 _ON = {"zh": "{}（续）", "en": "{} (continued)"}
 
 
@@ -63,8 +64,8 @@ class Working(Block):
         self._least = LEAST_ROOM if sum(_tall(one, COLUMN) for one in foot) <= _TALL else _LITTLE
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
-        """All that is left, where it suffices."""
-        need = max(self._need, self._least) + self._other(width)
+        """All that is left, where it suffices, if need be for work in two columns."""
+        need = max(_CLOSE * self._need, self._least) + self._other(width)
         self.width, self.height = width, height - 0.01 if height >= need - 0.02 else need
         return width, self.height
 

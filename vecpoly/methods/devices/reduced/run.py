@@ -52,5 +52,5 @@ def _rope(bench: Bench, train: ReducedTrain, name: str) -> None:
 def _lifted(bench: Bench, name: str, train: ReducedTrain, ratio: Quantity | None, turns: Quantity) -> None:
     shaft = train.shafts[name]
     assert shaft.drum is not None
-    drum = Quantity(Txt("π"), pi, "") * magnitude("D", shaft.drum.si, "m") * turns
+    drum = Quantity(Txt("π"), pi, "") * magnitude(f"D_{{{name}}}", shaft.drum.si, "m") * turns
     bench.worked(LIFT, drum if ratio is None else drum * ratio)

@@ -11,8 +11,8 @@ from ....foundation.slotted import dataclass, replace
 
 APART = 1.35  # of the sum of its radii: how far the pulleys of a belt stand from each other
 WAYS = (1 + 0j, 1j, -1j, -1 + 0j)  # the first wheel that a shaft drives stands on its right, the next above it ...
-LEAST = 5.0  # mm: a wheel is not drawn smaller
-ROUND = tuple(exp(2j * pi * n / 24) for n in (6, 7, 5, 8, 4, 9, 3, 10, 2, 11, 1, 12, 0, *range(13, 24)))  # above first
+LEAST, LETTER = 5.0, 2.5  # mm: a wheel is not drawn smaller; half a letter
+ROUND = tuple(exp(2j * pi * n / 24) for n in (6, 7, 5, 8, 4, 18, 17, 19, 9, 3, *range(24)))  # above first, then below
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,16 +50,22 @@ class Shafts:
         wheels = tuple(replace(w, radius=max(w.radius * mm, LEAST)) for w in self.wheels)
         return replace(self, at={name: z * mm for name, z in self.at.items()}, wheels=wheels)
 
-    def beside(self, wheel: Wheel, gap: float) -> complex:
-        """A place so far outside the rim where other rims are farthest."""
+    def beside(self, wheel: Wheel, gap: float, taken: Sequence[complex] = ()) -> complex:
+        """A place so far outside the rim, and outside the wheels of other shafts if there is one, where a letter is
+        farthest from other rims and from what is taken."""
         centre = self.at[wheel.shaft]
-        places = [centre + (wheel.radius + gap) * u for u in ROUND]
+        places = [(centre + (wheel.radius + gap) * u, u) for u in ROUND]
         others = [(self.at[w.shaft], w.radius) for w in self.wheels if w is not wheel]
 
-        def clear(place: complex) -> float:
-            return round(min([abs(abs(place - c) - r) for c, r in others] + [2 * gap]), 6)
+        strange = [(self.at[w.shaft], w.radius) for w in self.wheels if w.shaft != wheel.shaft]
 
-        return max(places, key=clear)
+        def clear(place: complex, way: complex) -> tuple[bool, float]:
+            letter = place + LETTER * way
+            outside = all(abs(letter - c) > r for c, r in strange)
+            gaps = [abs(abs(letter - c) - r) for c, r in others] + [abs(letter - one) for one in taken]
+            return outside, round(min([*gaps, 3 * gap]), 6)
+
+        return max(places, key=lambda one: clear(*one))[0]
 
     def free_side(self, shaft: str) -> complex:
         """The direction, of left, right and down, away from the neighbours."""

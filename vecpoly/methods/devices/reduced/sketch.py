@@ -4,6 +4,7 @@ they lift; to no scale."""
 from __future__ import annotations
 
 from cmath import exp, pi
+from collections.abc import Sequence
 from math import asin
 
 from ....board.board import Board
@@ -12,7 +13,6 @@ from ....board.paper.marks import Dot, Role
 from ....devices.dynamics.reduced import ReducedTrain
 from ....devices.dynamics.shafts import Shaft
 from ....diagram.single import disc, gear, outline, pivot
-from ....words import Words
 from ..turning import arrow_about
 from .shafts import APART, Shafts, Wheel, placed
 
@@ -20,6 +20,7 @@ WIDE, HIGH = 132.0, 78.0  # mm that all takes at most: the sketch stands in the 
 SPEED, MOMENT, NEXT = 9.0, 14.0, 4.0  # mm: radii of the curved arrows, from one to the next
 OUTSIDE = 2.0  # mm from a rim to the size of its wheel
 DRUM, LEAST_DRUM = 0.5, 9.0  # of the radius of the wheel beside it; mm
+_SPREAD = (-0.35, -0.2, -0.1, 0.0, 0.1, 0.2, 0.35)  # of half a turn: where an arrow about a shaft is
 ROPE, LOAD, WEIGHT = 5.0, 12.0 + 8.0j, 11.0  # mm: rope below the wheels; the load's width and height; its arrow
 
 
@@ -37,8 +38,9 @@ def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
         board.depict(place, pivot(centre))
         board.plot(place, centre, name, Dot.JOINT)
         _turning(board, place, shafts, name, train.shafts[name])
+    taken = [spot for name in shafts.at for spot in _over(shafts, name, train.shafts[name])]
     for wheel in shafts.wheels:
-        _size(board, place, shafts, wheel)
+        taken.append(_size(board, place, shafts, wheel, taken))
 
 
 def _fitted(train: ReducedTrain) -> Shafts:
@@ -63,8 +65,7 @@ def _belt(board: Board, place: Place, a: complex, b: complex, ratio: float) -> N
 def _turning(board: Board, place: Place, shafts: Shafts, name: str, shaft: Shaft) -> None:
     """ω over the shaft, and the moments on it, those that resist against ω; within its largest wheel, or about it."""
     largest, ccw, side = max(shafts.on(name)), shafts.turns[name] > 0, shafts.free_side(name)
-    inside = largest > MOMENT + NEXT
-    speed = SPEED if inside else largest + NEXT / 2
+    inside, speed = _is_inside(shafts, name), _speed(shafts, name)
     arrow_about(board, place, shafts.at[name], speed, 1j, ccw, f"ω_{{{name}}}")
     radius = max(largest + NEXT / 2, speed + NEXT) if not inside or shaft.lifts is not None else MOMENT
     for letter, moment, along in (("d", shaft.drives, ccw), ("r", shaft.resists, not ccw)):
@@ -73,9 +74,29 @@ def _turning(board: Board, place: Place, shafts: Shafts, name: str, shaft: Shaft
             radius += NEXT
 
 
-def _size(board: Board, place: Place, shafts: Shafts, wheel: Wheel) -> None:
-    """The teeth, or the diameter, outside the rim."""
-    board.note(place, shafts.beside(wheel, OUTSIDE), Words.same(f"${wheel.symbol}$ = {wheel.given}"))
+def _is_inside(shafts: Shafts, name: str) -> bool:
+    """Whether the arrows about a shaft have room within its largest wheel."""
+    return max(shafts.on(name)) > MOMENT + NEXT
+
+
+def _speed(shafts: Shafts, name: str) -> float:
+    """The radius of the arrow of ω."""
+    return SPEED if _is_inside(shafts, name) else max(shafts.on(name)) + NEXT / 2
+
+
+def _over(shafts: Shafts, name: str, shaft: Shaft) -> list[complex]:
+    """Places on the arrow of ω and beside it, where its letter stands; likewise of a moment."""
+    ways = [1j, *([shafts.free_side(name)] if shaft.drives is not None or shaft.resists is not None else [])]
+    spots = [(_speed(shafts, name) + out, exp(1j * pi * part)) for part in _SPREAD for out in (0.0, NEXT)]
+    return [shafts.at[name] + radius * way * turn for way in ways for radius, turn in spots]
+
+
+def _size(board: Board, place: Place, shafts: Shafts, wheel: Wheel, taken: Sequence[complex]) -> complex:
+    """The symbol of its teeth, or of its diameter, which are given, outside the rim, as large as all letters; where
+    it stands."""
+    at = shafts.beside(wheel, OUTSIDE, taken)
+    board.plot(place, at, wheel.symbol, Dot.NONE)
+    return at
 
 
 def _load(board: Board, place: Place, shafts: Shafts, name: str, shaft: Shaft) -> None:
@@ -93,4 +114,4 @@ def _load(board: Board, place: Place, shafts: Shafts, name: str, shaft: Shaft) -
     board.arrow(place, end - down, end - down - 1j * WEIGHT, Role.GIVEN, label="mg")
     beside = end + side * (half + NEXT) - down
     board.arrow(place, beside, beside + 1j * WEIGHT, Role.GIVEN, label="v")
-    board.note(place, centre + radius * exp(-0.25j * pi * side), Words.same(f"$D$ = {shaft.drum.text}"))
+    board.plot(place, centre + radius * exp(-0.25j * pi * side), f"D_{{{name}}}", Dot.NONE)

@@ -25,22 +25,24 @@ class Bar(NamedTuple):
     """How long it is on paper (mm), and the value that it stands for, with its unit."""
 
     long: float
-    told: str
+    told: Words
 
     @property
     def wide(self) -> float:
         """With its value behind it (mm)."""
-        return self.long + _GAP + layout_words(self.told, NOTE).width
+        return self.long + _GAP + max(layout_words(text, NOTE).width for text in (self.told.zh, self.told.en))
 
 
 def bar_of(figure: Figure) -> Bar | None:
-    """The bar of a figure that is drawn to one scale; one with axes has its numbers there."""
+    """The bar of a figure that is drawn to one scale; one with axes has its numbers there. A length is said to be that
+    of the mechanism: on the paper there is another bar, of the print."""
     if not to_scale(figure) or figure.view.across is not None or figure.view is INDICATOR:
         return None
     scale = figure.scale.told
     per_mm, unit = (scale.value * _MILLI, _MILLIMETRE) if scale.unit == _METRE else (scale.value, scale.unit)
     value = _round_down(_LONGEST * per_mm)
-    return Bar(value / per_mm, f"{number(value, 3)} {unit}")
+    text = f"{number(value, 3)} {unit}"
+    return Bar(value / per_mm, Words(f"实际 {text}", f"{text} (real)") if unit == _MILLIMETRE else Words.same(text))
 
 
 def _round_down(most: float) -> float:
@@ -57,4 +59,4 @@ def barred(bar: Bar, end: complex) -> Iterator[Mark]:
     yield Segment(a=ends[0], b=ends[-1], role=Role.CONSTRUCTION, step=1, key=BAR)
     for at in ends:
         yield Segment(a=at - 1j * _TICK, b=at + 1j * _TICK, role=Role.CONSTRUCTION, step=1, key=BAR)
-    yield Note(at=ends[-1] + _GAP, words=Words.same(bar.told), side=1 + 0j, step=1, key=BAR)
+    yield Note(at=ends[-1] + _GAP, words=bar.told, side=1 + 0j, step=1, key=BAR)

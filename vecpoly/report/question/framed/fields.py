@@ -6,90 +6,109 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from ....board.acts import Area, Gauge, Measure
 from ....board.construction import Construction, Figure
-from ....board.paper.marks import Mark, Note, Role, Segment
-from ....board.place import Pane, Place, called
+from ....board.paper.marks import Dot, Mark, Note, Role, Segment
 from ....drawing.style import NOTE
+from ....figures.balancing import COUPLES, PRODUCTS
 from ....typeset.words import layout_words
 from ....words import Words
 from ..equations import numbers, runs
 from .bar import BAR, Bar, bar_of, barred
+from .known import begins_at
+from .readings import BEFORE, DROP, LINE, READ, Readings, readings
 
-KEY, READ = "equation", "readings"  # of what is written over and under a drawing
+KEY = "equation"  # of what is written over a drawing
 FIELDS = (KEY, READ, BAR)
+SUMS = (COUPLES, PRODUCTS)  # polygons that are the sum of something, with a table of the equation or without
 MOST = 2  # equations that have a line each; of more the numbers are told, for they are written on the pages before
 WRITTEN, READS = 80.0, 60.0  # mm: a frame in which an equation is written; of a line for readings beside a bar
-_LINE, _EDGE, _GAP, _DROP = 7.0, 4.0, 2.0, 1.6  # mm: its height; to the frame; to the words, and below their middle
-_READINGS, _COLON = Words("量得：", "Readings:"), Words("：", ":")
+_EDGE, _GAP, _APART = 4.0, 2.0, 7.0  # mm: to the frame; from the words to a rule; between words on one line
+_EQUATION, _COLON = Words("矢量方程", "Vector equation"), Words("：", ":")
 
 
 class Fields(NamedTuple):
-    """The numbers of the equations that are drawn in a frame, how many lines they have at most, and whether anything is
-    read off it; broad: whether the frame is as wide as an equation that is written; bar: that of its scale, with a
-    line of its `own` where it has none beside the readings."""
+    """The numbers of the equations that are drawn in a frame, how many lines they have at most, and what is read off,
+    if anything is; broad: whether the frame is as wide as an equation that is written; bar: that of its scale, with a
+    line of its `own` where it has none beside the readings; unnumbered: an equation is drawn there that has no number.
+    """
 
     equations: tuple[int, ...]
-    read: bool
+    read: Readings | None
     most: int = MOST
     broad: bool = False
     bar: Bar | None = None
     own: bool = True
+    unnumbered: bool = False
 
     @property
     def lines(self) -> int:
         """How many there are for the equations; of more than have a line each one tells the numbers."""
         if not self.most:  # their numbers stand before the readings, if there are any
-            return int(bool(self.equations) and not self.read)
+            return int(bool(self.equations) and (self.read is None or self.read.named))
+        if self.unnumbered:
+            return 1
         return min(len(self.equations), self.most) if len(self.equations) <= MOST else 1
 
     @property
     def above(self) -> float:
         """How high they are (mm)."""
-        return _LINE * self.lines
+        return LINE * self.lines
 
     @property
     def wide(self) -> float:
         """How wide a frame should be for them (mm)."""
-        return WRITTEN if self.equations and self.broad else 0.0
+        return max(
+            WRITTEN if (self.equations or self.unnumbered) and self.broad else 0.0,
+            self.read.wide if self.read is not None else 0.0,
+        )
 
     @property
     def below(self) -> float:
         """Likewise under it."""
-        return _LINE * (self.read + (self.bar is not None and self.own))
+        return LINE * ((0 if self.read is None else self.read.lines) + (self.bar is not None and self.own))
 
 
 def fields(construction: Construction, figure: Figure) -> Fields:
     """What is written in the frame of this figure."""
-    reads = (act.figure for act in construction.acts if isinstance(act, Area | Gauge | Measure))
-    read = figure.view.across is None and called(_place(figure)) in reads  # what is read along axes has its axes
-    return Fields(numbers(construction, figure), read, bar=bar_of(figure))
+    read = readings(construction, figure) if figure.view.across is None else None  # an axis has what is read along it
+    found = numbers(construction, figure)
+    return Fields(found, read, bar=bar_of(figure), unnumbered=not found and _summed(figure))
 
 
-def _place(figure: Figure) -> Place:
-    return figure.view if not figure.name else Pane(figure.view, figure.name)
+def _summed(figure: Figure) -> bool:
+    """Whether vectors are added there, from a pole, to a sum that is an equation."""
+    start = begins_at(figure)
+    return start is not None and start.dot is Dot.POLE and figure.view in SUMS
 
 
 def written(some: Fields, low: complex, high: complex) -> Iterator[Mark]:
     """The lines in a frame from its lower left to its upper right corner."""
-    told, top, foot = _equations(some.equations), complex(low.real, high.imag), low + 1j * _LINE / 2
+    top = complex(low.real, high.imag) - 1j * LINE / 2
+    told = _equations(some.equations) if some.equations else _EQUATION
     if some.lines and (len(some.equations) > MOST or not some.most):
-        yield _note(told, top - 1j * _LINE / 2, KEY)
+        yield _note(told, top, KEY)
     elif some.lines:
-        yield from _named(told + _COLON, top - 1j * _LINE / 2, high.real, KEY)
+        yield from _named(told + _COLON, top, high.real)
         for n in range(1, some.lines):
-            yield _rule(top.real + _EDGE, high.real, top.imag - (n + 1 / 2) * _LINE - _DROP, KEY)
-    elif some.equations:
-        yield _note(told, foot, KEY)
-        foot += _wide(told) + _EDGE
-    end = high.real
+            yield _rule(top.real + _EDGE, high.real, top.imag - n * LINE - DROP, KEY)
+    yield from _under(some, low, high.real)
+
+
+def _under(some: Fields, low: complex, end: float) -> Iterator[Mark]:
+    """What stands at the foot: readings, and the bar beside them, or below where they leave no room."""
+    foot = low + 1j * LINE / 2
+    if some.equations and not some.lines:
+        yield _note(_equations(some.equations), foot, KEY)
+        foot += _wide(_equations(some.equations)) + _APART
     beside = end - _EDGE - (some.bar.wide if some.bar is not None else 0.0)
-    aside = beside - foot.real - _wide(_READINGS) >= READS or not some.read
+    read = some.read
+    aside = read is None or beside - foot.real >= (read.wide + _EDGE if read.named else BEFORE + READS)
+    aside = aside and not (read is not None and read.named and some.own)
     if some.bar is not None and (aside or some.own):
-        yield from barred(some.bar, complex(end - _EDGE, low.imag + _LINE / 2))
-        foot, end = (foot, beside) if aside else (foot + 1j * _LINE, end)
-    if some.read:
-        yield from _named(_READINGS, foot, end, READ)
+        yield from barred(some.bar, complex(end - _EDGE, low.imag + LINE / 2))
+        foot, end = (foot, beside) if aside else (foot + 1j * LINE, end)
+    if read is not None:
+        yield from read.written(foot + _EDGE + 1j * (read.lines - 1) * LINE, end - _EDGE)
 
 
 def _equations(found: tuple[int, ...]) -> Words:
@@ -107,10 +126,10 @@ def _wide(words: Words) -> float:
     return max(layout_words(text, NOTE).width for text in (words.zh, words.en))
 
 
-def _named(words: Words, at: complex, end: float, key: str) -> Iterator[Mark]:
+def _named(words: Words, at: complex, end: float) -> Iterator[Mark]:
     """Words with a line behind them that goes on to the other side of the frame."""
-    yield _note(words, at, key)
-    yield _rule(at.real + _EDGE + _wide(words) + _GAP, end, at.imag - _DROP, key)
+    yield _note(words, at, KEY)
+    yield _rule(at.real + _EDGE + _wide(words) + _GAP, end, at.imag - DROP, KEY)
 
 
 def _rule(start: float, end: float, y: float, key: str) -> Segment:

@@ -17,16 +17,26 @@ from ....foundation.slotted import replace
 from ....foundation.stock import Format, Paper
 from ....problem.problem import Problem
 from ...picture import to_scale
-from .blank import framed
+from .blank import WHITE, framed
 from .fields import Fields, fields, written
-from .grid import Grid, Need, Size, grid, least_sheets, tightness
+from .grid import NARROWEST, Grid, Need, Size, grid, least_sheets, tightness
 from .known import begins_at, is_circle, lettered, stands
+from .readings import Form
 from .room import outline
 
 WHITES = (8.0, 6.5, 5.0)  # mm that stay free between a figure and its frame: less where that spares a sheet
 BORDER = 4  # marks that are the frame itself
 NEXT = 2.5  # mm that stay free between a figure and a line to write on
 MOST = 6  # frames on a sheet
+_WRITTEN = (
+    *((white, Form.WHOLE) for white in WHITES[:1]),
+    *((white, form) for form in (Form.SHORT, Form.BARE) for white in WHITES),
+)  # with how much white, and in which form what is read
+_FREE, _LEAST, _NEAR = (
+    0.0,
+    1 / 6,
+    (1 / 2, 1 / 3, 1 / 4),
+)  # shares of a frame beside its pole: any, of every frame, better
 _NO_END = 10**6  # sheets, before any are found
 
 
@@ -58,7 +68,7 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
 
 def _measured(figure: Figure, told: Fields) -> bool:
     """Whether a free body is there to be measured: its outline would tell what is read off it."""
-    return figure.view is View.BODY and told.read
+    return figure.view is View.BODY and told.read is not None
 
 
 def as_solved(figures: Sequence[Figure]) -> list[Figure]:
@@ -70,40 +80,64 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
 
 
 def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> tuple[Sequence[Fields], Sequence[Grid]]:
-    """The sheets with lines for equations; where they need no sheet more with several of these, with long ones, and
-    with lines for readings; with little white about the figures where that spares a sheet."""
-    best, trials = (told, WHITES[0], (_NO_END, True)), list(_trials(told))
+    """The sheets with lines for equations and for readings. No pole is near an edge, for which there may be a sheet
+    more; not where the mechanism and all polygons have one, on which directions are carried from one to the other."""
+    found = _as_told(asked, told, on, _FREE)
+    if len(found[1]) == 1 and any(one.view is View.MECHANISM for one in asked):
+        return found
+    return _as_told(asked, told, on, _LEAST)
+
+
+def _as_told(
+    asked: Sequence[Figure], told: Sequence[Fields], on: Paper, near: float
+) -> tuple[Sequence[Fields], Sequence[Grid]]:
+    """The sheets; where they need no sheet more with several lines for equations, with long ones, and with names of
+    what is read; with little white about the figures where that spares a sheet; near: as great a share of its frame
+    lies on each side of a pole."""
+    best, trials = (told, WHITES[0], (_NO_END, True)), list(_trials(asked, told))
     white, some = trials[-1]
-    least = least_sheets([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on.format)
+    least = least_sheets([_needed(*one, white, _FREE) for one in zip(asked, some, strict=True)], on.format)
     for white, some in trials:
-        found = _found([_needed(*one, white, even=False) for one in zip(asked, some, strict=True)], on)
+        found = _found([_needed(*one, white, near) for one in zip(asked, some, strict=True)], on)
         best = min(best, (some, white, tightness(found)[1:3]), key=itemgetter(2))
         if best[2] <= (least, False):
             break
     some, white, _ = best
-    return some, _with_poles([*zip(asked, some, strict=True)], white, on)
+    return some, _with_poles([*zip(asked, some, strict=True)], white, near, on)
 
 
-def _trials(told: Sequence[Fields]) -> Iterator[tuple[float, Sequence[Fields]]]:
+def _trials(asked: Sequence[Figure], told: Sequence[Fields]) -> Iterator[tuple[float, Sequence[Fields]]]:
     """Frames with less and less room for what is written in them, then with less white. Equations, which are written
-    on the pages before, give up their lines before readings do, which are written nowhere else; then bars that
-    need one go."""
-    for white, some in product(WHITES, (told, [one._replace(own=False) for one in told])):
-        broad, bare = [one._replace(broad=True) for one in some], [one._replace(most=0) for one in some]
-        yield from ((white, lines) for lines in (broad, some, [one._replace(most=1) for one in some], bare))
+    on the pages before, give up their lines before readings do their names; then bars that need one go."""
+    for white, form in _WRITTEN:
+        named = [_formed(figure, one, form, white) for figure, one in zip(asked, told, strict=True)]
+        for some in (named, [one._replace(own=False) for one in named]):
+            broad, bare = [one._replace(broad=True) for one in some], [one._replace(most=0) for one in some]
+            yield from ((white, lines) for lines in (broad, some, [one._replace(most=1) for one in some], bare))
 
 
-def _with_poles(asked: Sequence[tuple[Figure, Fields]], white: float, on: Paper) -> list[Grid]:
-    """The sheets for these figures, with as many poles in the middle of their frames as need no sheet more."""
-    needs = [_needed(*one, white, even=False) for one in asked]
+def _formed(figure: Figure, told: Fields, form: Form, white: float) -> Fields:
+    """With readings in this form, in columns that the frame has room for."""
+    if told.read is None:
+        return told
+    low, high = outline(figure)
+    width = max((high - low).real + 2 * white, title_width(figure), NARROWEST)
+    return told._replace(read=told.read.formed(form, width))
+
+
+def _with_poles(asked: Sequence[tuple[Figure, Fields]], white: float, near: float, on: Paper) -> list[Grid]:
+    """The sheets for these figures, with as many poles in the middle of their frames, or near it, as need no sheet
+    more."""
+    shares = [near] * len(asked)
+    needs = [_needed(*one, white, near) for one in asked]
     best = _found(needs, on)
-    for n, one in enumerate(asked):
-        tried = [*needs[:n], _needed(*one, white, even=True), *needs[n + 1 :]]
-        if tried == needs:
+    for share, (n, one) in product(_NEAR, enumerate(asked)):
+        tried = [*needs[:n], _needed(*one, white, share), *needs[n + 1 :]]
+        if shares[n] > near or tried == needs:
             continue
         found = _found(tried, on)
         if len(found) <= len(best) and all(sheet.ease >= 1.0 for sheet in found):
-            needs, best = tried, found
+            needs, best, shares[n] = tried, found, share
     return best
 
 
@@ -125,16 +159,19 @@ def _laid(needs: Sequence[Need], landscape: bool, of: Format) -> list[Grid]:
     return best[-1]
 
 
-def _needed(figure: Figure, told: Fields, white: float, *, even: bool) -> Need:
+def _needed(figure: Figure, told: Fields, white: float, near: float) -> Need:
     """The room of a figure with this white round it, what is written over and under it and its title
-    below it; even: with as much on either side of the pole."""
+    below it; near: so great a share of the frame at least lies on either side of the pole."""
     (left, foot), (right, top) = ((one.real, one.imag) for one in outline(figure))
     wide, high = right - left, top - foot
-    pole = begins_at(figure) if even else None
+    pole = begins_at(figure) if near else None
     if pole is not None:
         low, upper = bounds(figure.marks)
-        wide = max(wide, 2 * max(upper.real - pole.at.real, pole.at.real - low.real) - white)
-        high = max(high, 2 * max(upper.imag - pole.at.imag, pole.at.imag - low.imag) - white)
+        part = 1 / (1 - near)
+        wide = max(wide, part * (max(upper.real - pole.at.real, pole.at.real - low.real) + WHITE) - 2 * white)
+        high = max(
+            high, part * (max(upper.imag - pole.at.imag, pole.at.imag - low.imag) + WHITE) - 2 * min(NEXT, white)
+        )
     high += sum(field + NEXT if field else white for field in (told.above, told.below))
     return Need(max(wide + 2 * white, title_width(figure), told.wide), high, figure.view.across is not None)
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from ....drawing.sheets.space import CAPTION, CLEAR, room_inside
 from ....foundation.stock import Format
+from .aligned import aligned
 from .snug import snug
 
 NARROWEST, LOWEST = 55.0, 40.0  # mm: a frame with a short title under it
@@ -82,7 +83,7 @@ def _cut(needs: Sequence[Need], landscape: bool, of: Format) -> Iterator[Grid]:
     """Sheets cut as these frames need."""
     wide, high = (side - CLEAR for side in room_inside(landscape, of))
     asked = [(max(need.wide, NARROWEST) + CLEAR, max(need.high, LOWEST) + CLEAR + CAPTION) for need in needs]
-    for boxes in snug(asked, (wide, high)):
+    for boxes in (aligned(one, asked) for one in snug(asked, (wide, high))):
         sizes = [(width - CLEAR, height - CLEAR - CAPTION) for _, _, width, height in boxes]
         tops = [complex(CLEAR / 2 + left + width / 2, high - top) for left, top, width, _ in boxes]
         yield _grid(needs, sizes, tops, landscape)

@@ -1,0 +1,142 @@
+"""What is read off a figure is written in its frame under its name; poles betray no direction; frames stand in rows."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import Later, each
+from tests.laws import few
+from vecpoly.board.construction import Construction, Figure
+from vecpoly.board.paper.extent import bounds
+from vecpoly.board.paper.marks import Dot, Note, Outline, Point, Segment
+from vecpoly.drawing.figure import draw_figure
+from vecpoly.drawing.scene import TextBox
+from vecpoly.drawing.sheets.sheet import Hung
+from vecpoly.figures import View
+from vecpoly.figures.balancing import HODOGRAPH
+from vecpoly.report.question.framed.aligned import CLOSE, aligned
+from vecpoly.report.question.framed.fields import KEY
+from vecpoly.report.question.framed.frames import frames
+from vecpoly.report.question.framed.readings import READ
+
+
+@cache
+def blank_of(name: str) -> tuple[Construction, tuple[Hung, ...]]:
+    """The blank sheets of a problem."""
+    return frames(drawn(name).construction, drawn(name).problem)
+
+
+DRAWN = Later(lambda: [name for name in few(IDS, 6) if blank_of(name)[0].figures])
+
+
+def told(frame: Figure) -> list[str]:
+    return [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == READ]
+
+
+def rules(frame: Figure) -> list[Segment]:
+    return [mark for mark in frame.marks if isinstance(mark, Segment) and mark.key == READ]
+
+
+def test_a_length_that_is_asked_is_read_on_a_line_with_its_name_and_brought_to_its_value_by_the_scale() -> None:
+    (frame, *_) = blank_of("three-positions")[0].figures
+    assert told(frame) == [text for bar in ("AB", "CD", "AD") for text in (f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "mm")]
+    assert len(rules(frame)) == 6
+
+
+def test_an_angle_that_is_asked_has_its_degrees_and_no_scale() -> None:
+    frame = next(one for one in blank_of("4-2")[0].figures if one.name == "limits")
+    assert told(frame) == ["$φ_{lim}$ =", "°", "$φ'_{lim}$ =", "°"]
+
+
+@each(DRAWN)
+def test_a_quantity_has_one_line_in_one_frame(name: str) -> None:
+    names = [text for frame in blank_of(name)[0].figures for text in told(frame) if text.startswith("$")]
+    assert len(names) == len(set(names))
+
+
+@each(DRAWN)
+def test_a_line_to_write_a_number_on_is_at_least_16_mm_long_and_in_its_frame(name: str) -> None:
+    for frame in blank_of(name)[0].figures:
+        low, high = bounds(frame.marks[:4])
+        for line in rules(frame):
+            assert line.b.real - line.a.real >= 15.9
+            assert low.real < line.a.real and line.b.real < high.real and low.imag < line.a.imag
+
+
+@each(DRAWN)
+def test_no_pole_stands_nearer_to_an_edge_than_a_sixth_of_its_frame(name: str) -> None:
+    """At an edge it tells to which side its polygon lies; only where one sheet holds the mechanism and all polygons."""
+    blank, pages = blank_of(name)
+    if len(pages) == 1 and any(one.view is View.MECHANISM for one in blank.figures):
+        return
+    for frame in blank.figures:
+        for mark in frame.marks[4:]:
+            if isinstance(mark, Point) and mark.dot is Dot.POLE and frame.view is not HODOGRAPH:
+                low, high = bounds(frame.marks[:4])
+                across, up = (mark.at - low).real / (high - low).real, (mark.at - low).imag / (high - low).imag
+                assert min(across, 1 - across, up, 1 - up) > 0.13, frame.view  # over it and under it are lines
+
+
+@each(DRAWN)
+def test_edges_of_frames_on_one_sheet_miss_no_line_by_a_little(name: str) -> None:
+    blank, pages = blank_of(name)
+    waiting = list(blank.figures)
+    for page in pages:
+        here, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
+        sizes = [bounds(one.marks[:4])[1] - bounds(one.marks[:4])[0] for one in here]
+        edges = sorted({round(top.imag, 3) for top in page.tops})
+        feet = sorted({round(top.imag - size.imag, 3) for top, size in zip(page.tops, sizes, strict=True)})
+        for some in (edges, feet):
+            assert all(b - a > 2.0 for a, b in pairwise(some))
+
+
+def test_edges_that_nearly_meet_are_moved_on_to_one_line_and_others_stay() -> None:
+    boxes = [(0.0, 0.0, 50.0, 60.0), (0.0, 60.0, 50.0, 40.0), (50.0, 0.0, 50.0, 62.0), (50.0, 62.0, 50.0, 38.0)]
+    found = aligned(boxes, [(50.0, 30.0)] * 4)
+    assert found[0][3] == found[2][3] and found[1][1] == found[3][1] == pytest.approx(61.0)
+    assert sum(wide * high for _, _, wide, high in found) == pytest.approx(100.0 * 100.0)
+    tight = [(50.0, 60.0), (50.0, 40.0), (50.0, 62.0), (50.0, 38.0)]
+    assert aligned(boxes, tight) == boxes
+    far = [
+        (0.0, 0.0, 50.0, 60.0),
+        (0.0, 60.0, 50.0, 40.0),
+        (50.0, 0.0, 50.0, 70.0 + CLOSE),
+        (50.0, 70.0 + CLOSE, 50.0, 15.0),
+    ]
+    assert aligned(far, [(0.0, 0.0)] * 4) == far
+
+
+def test_the_outline_of_a_wedge_stands_in_the_middle_of_its_frame() -> None:
+    """Off it the forces that are to be drawn could be guessed."""
+    for frame in blank_of("4-2")[0].figures:
+        shapes = [mark for mark in frame.marks if isinstance(mark, Outline)]
+        if shapes and not told(frame):
+            (low, high), (start, end) = bounds(shapes), bounds(frame.marks[:4])
+            assert abs(low + high - start - end) < 2.0
+
+
+def test_a_polygon_of_couples_has_a_line_for_its_equation_though_that_has_no_number() -> None:
+    frame = next(one for one in blank_of("6-4")[0].figures if one.view.name == "couples")
+    assert [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY] == ["Vector equation:"]
+
+
+@pytest.mark.parametrize("name", ["3-7b"])
+def test_the_number_of_an_equation_and_the_word_before_the_readings_stand_on_one_level(name: str) -> None:
+    """Too near to each other, one of them was set 2 mm higher."""
+    levels = 0
+    for frame in blank_of(name)[0].figures:
+        boxes = [one for one in draw_figure(frame, lang="en").items if isinstance(one, TextBox)]
+        heights = {
+            word: one.y
+            for one in boxes
+            for word in ("Equation", "Readings")
+            if any(word in getattr(part, "text", "") for part in one.box.items)
+        }
+        if len(heights) == 2 and abs(heights["Equation"] - heights["Readings"]) < 5.0:
+            assert heights["Equation"] == pytest.approx(heights["Readings"], abs=0.1)
+            levels += 1
+    assert levels

@@ -1,0 +1,174 @@
+"""The lines for what is read off a figure: one with its name for each quantity that is asked, l_AB = ___ mm × μ_l =
+___ mm; where there is no room for that the length on paper alone, then one line without a name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from enum import IntEnum
+from math import ceil
+from typing import NamedTuple
+
+from ....board.acts import Act, Answer, Area, Compute, Gauge, Measure
+from ....board.construction import Construction, Figure, Reading
+from ....board.paper.marks import Mark, Note, Role, Segment
+from ....board.place import Pane, called
+from ....drawing.style import NOTE
+from ....printed.units import printed_unit
+from ....typeset.words import layout_words
+from ....words import Words
+
+READ = "readings"  # of what is written there
+LINE, DROP, GAP = 7.0, 1.6, 2.5  # mm: height of a line; of its rule below the middle of the words; behind these
+NAMED = 10  # quantities that have a line each; more have the table of results
+_ROOM, _LONGEST, _BEHIND = 16.0, 40.0, 0.5  # mm for a number to be written: at least, at most; behind it
+_MOST = 4  # lines in full
+_APART = 5.0  # mm between two quantities on a line
+_DEGREE = "°"
+_READINGS = Words("量得：", "Readings:")
+BEFORE = max(layout_words(text, NOTE).width for text in (_READINGS.zh, _READINGS.en)) + GAP  # mm
+
+
+class Form(IntEnum):
+    """How much a line tells: length on paper and value; what is read alone; that something is read."""
+
+    WHOLE = 0
+    SHORT = 1
+    BARE = 2
+
+
+class Blank(NamedTuple):
+    """A quantity to be read: its symbol, the unit in which it is read off the paper; μ and unit of its value, of a
+    length that is brought to its value by a scale alone."""
+
+    symbol: str
+    paper: str
+    scale: str = ""
+    unit: str = ""
+
+    def texts(self, form: Form) -> tuple[str, ...]:
+        """What stands before each room for a number, and behind the last."""
+        if form is Form.WHOLE and self.scale:
+            return f"${self.symbol}$ =", f"{self.paper} × ${self.scale}$ =", self.unit
+        return f"${self.symbol}$ =" if self.paper == _DEGREE else f"${self.symbol}$:", self.paper
+
+
+class Readings(NamedTuple):
+    """What is read off a figure that is asked, and in which form it is written, in so many columns; none of it: one
+    line without names."""
+
+    blanks: tuple[Blank, ...] = ()
+    form: Form = Form.BARE
+    columns: int = 1
+
+    @property
+    def lines(self) -> int:
+        """How many lines there are."""
+        return ceil(len(self.blanks) / self.columns) if self.named else 1
+
+    @property
+    def named(self) -> bool:
+        """Whether each quantity has its name."""
+        return bool(self.blanks) and self.form is not Form.BARE
+
+    @property
+    def wide(self) -> float:
+        """How wide a frame should be for them (mm)."""
+        return self.columns * (_cell(self.blanks, self.form) + _APART) + _APART if self.named else 0.0
+
+    def formed(self, form: Form, width: float) -> Readings:
+        """In this form, in as many columns as a frame of this width has."""
+        if not self.blanks:
+            return self
+        if form is Form.BARE:
+            return Readings(self.blanks)
+        there = int((width - _APART) / (_cell(self.blanks, form) + _APART))
+        lines = ceil(len(self.blanks) / max(1, min(there, len(self.blanks))))
+        if form is Form.WHOLE and lines > _MOST:
+            return self.formed(Form.SHORT, width)
+        return Readings(self.blanks, form, ceil(len(self.blanks) / lines))
+
+    def written(self, left: complex, right: float) -> Iterator[Mark]:
+        """From the first line down, between the middle of its left end and this edge."""
+        if not self.named:
+            yield from _bare(left, right)
+            return
+        step = (right - left.real + _APART) / self.columns
+        for n, one in enumerate(self.blanks):
+            at = left + n % self.columns * step - 1j * (n // self.columns) * LINE
+            yield from _rooms(one.texts(self.form), at, step - _APART)
+
+
+def readings(construction: Construction, figure: Figure) -> Readings | None:
+    """What is read off this figure; None if nothing is."""
+    place = _place(figure)
+    if not any(isinstance(act, Area | Gauge | Measure) and act.figure == place for act in construction.acts):
+        return None
+    blanks = tuple(dict.fromkeys(_asked(construction, figure)))
+    return Readings(blanks if len(blanks) <= NAMED else ())
+
+
+def _place(figure: Figure) -> str:
+    """The figure as acts tell it."""
+    return called(figure.view if not figure.name else Pane(figure.view, figure.name))
+
+
+def _asked(construction: Construction, figure: Figure) -> Iterator[Blank]:
+    """The lengths and angles that are asked and read off here; no places, of which each has two numbers."""
+    written = {act.key: act for act in construction.acts if isinstance(act, Answer)}
+    place, like = _place(figure), [one for one in construction.figures if one.scale.symbol == figure.scale.symbol]
+    for key, one in construction.readings.items():
+        kind = Gauge if one.mm is None else Measure
+        here = place == _read_on(written.get(key), construction.acts, kind)
+        if one.mm is not None and one.scale == figure.scale.symbol and (here or len(like) == 1):
+            yield _length(one)
+        elif one.mm is None and one.unit == "deg" and here:
+            yield Blank(one.symbol, _DEGREE)
+
+
+def _length(one: Reading) -> Blank:
+    unit = printed_unit(one.unit)[1]
+    return Blank(one.symbol, "mm", "" if one.factor else one.scale, _DEGREE if unit == "deg" else unit)
+
+
+def _read_on(answer: Answer | None, acts: Sequence[Act], with_: type[Gauge | Measure]) -> str:
+    """The figure off which this was read first, with the rule or with the protractor."""
+    todo, found = [*answer.inputs] if answer is not None else [], dict[int, str]()
+    while todo:
+        one = acts[todo.pop()]
+        if isinstance(one, with_):
+            found[one.number] = one.figure
+        elif isinstance(one, Compute):
+            todo += one.inputs
+    return found[min(found)] if found else ""
+
+
+def _bare(at: complex, right: float) -> Iterator[Mark]:
+    """The line without a name."""
+    yield Note(at=at, words=_READINGS, side=1 + 0j, step=1, key=READ)
+    start = at + BEFORE - 1j * DROP
+    yield Segment(a=start, b=complex(right, start.imag), role=Role.CONSTRUCTION, step=1, key=READ)
+
+
+def _cell(blanks: Sequence[Blank], form: Form) -> float:
+    """The room (mm) of the longest of these."""
+    return max(
+        sum(map(_wide, one.texts(form))) + (_ROOM + GAP + _BEHIND) * (len(one.texts(form)) - 1) for one in blanks
+    )
+
+
+def _wide(text: str) -> float:
+    return layout_words(text, NOTE).width if text else 0.0
+
+
+def _rooms(texts: Sequence[str], at: complex, width: float) -> Iterator[Mark]:
+    """The texts of a line with a rule between each two of them, no longer than a number needs, in all no wider than
+    this."""
+    words = sum(map(_wide, texts)) + (GAP + _BEHIND) * (len(texts) - 1)
+    rule = min((width - words) / (len(texts) - 1), _LONGEST)
+    for n, text in enumerate(texts):
+        yield Note(at=at, words=Words.same(text), side=1 + 0j, step=1, key=READ)
+        at += _wide(text) + GAP
+        if n < len(texts) - 1:
+            start = at - 1j * DROP
+            yield Segment(a=start, b=start + rule, role=Role.CONSTRUCTION, step=1, key=READ)
+            at += rule + _BEHIND
