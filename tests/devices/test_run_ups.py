@@ -218,4 +218,4 @@ def test_a_speed_whose_sense_nobody_gave_is_told_without_one() -> None:
 def test_the_ends_of_every_length_measured_stand_in_the_figures(name: str) -> None:
     solution = solve(load(name))
     letters = {mark.label for f in solution.construction.figures for mark in f.marks if isinstance(mark, Point)}
-    assert letters >= {"O", "A", "B", "S", "S′", "T", "P", "A_y", "A_φ"}
+    assert letters >= {"O", "A", "B", "S", "S′", "H", "P", "A_y", "A_φ"}

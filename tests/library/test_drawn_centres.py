@@ -51,8 +51,12 @@ def test_the_number_of_centres_is_counted_first(name: str) -> None:
 @each(IDS)
 def test_every_centre_that_is_sought_has_one_step_that_names_the_lines_on_which_it_lies(name: str) -> None:
     mech = drawn(name).problem.mechanism
-    sought = [words for words in steps(name) if words.startswith("求 $P_")]
-    found = [re.sub("[{}]", "", re.match(r"求 \$(P_\{?\d+\}?)", words)[1]) for words in sought]  # type: ignore[index]
+    named = [
+        (words, re.match(r"(?:求 |由△\d+、△\d+得 )\$(P_\{?\d+\}?)", words.replace(" 得", "得")))
+        for words in steps(name)
+    ]
+    sought = [words for words, first in named if first]
+    found = [re.sub("[{}]", "", first[1]) for _, first in named if first]
     direct = {
         re.sub("[{}]", "", centre(mech, *one.pair).symbol)
         for one in direct_centres(desk_of(name))
@@ -61,7 +65,7 @@ def test_every_centre_that_is_sought_has_one_step_that_names_the_lines_on_which_
     assert len(found) == len(set(found)) and not set(found) & direct
     letters = {letter for letter in shown(name) if letter not in direct}
     assert letters <= set(found)
-    assert all(re.search("既在.*又在|试作|既在", words) for words in sought)
+    assert all(re.search("既在.*又在|试作|既在|的交点", words) for words in sought)
 
 
 def shown(name: str) -> dict[str, complex]:

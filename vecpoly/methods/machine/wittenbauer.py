@@ -149,7 +149,7 @@ def keep_areas(period: Period, surplus: Quantity) -> None:
     assert run is not None and run.delta is not None
     period.board.step(
         Words(
-            "若略去 $J_e$ 的变化，由最大盈亏功近似求飞轮转动惯量：",
+            "若略去 $J_e$ 的变化，由最大盈亏功近似求飞轮转动惯量 $J_F$：",
             "If the variation of $J_e$ is neglected, the greatest surplus of work gives $J_F$ approximately:",
         )
     )

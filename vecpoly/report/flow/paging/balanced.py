@@ -9,12 +9,12 @@ from typing import Any
 from ..base import Tightness
 from ..blocks import SheetPage
 from ..doc import ReportDoc
-from .loose import grown
+from .loose import OPENEST, grown
 from .sectioned import HALF, heads, settled
 from .setting import tightened
 
 ENOUGH, LAST = 0.8, 0.6  # of a page of text, and of the last one: what is filled so far looks full
-_SHARES = (0.0, *(0.05 * n for n in range(1, 6)))  # by which a text may grow to even out its pages
+_SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 6)))
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
 _Score = tuple[int, int, int, int, float]
 

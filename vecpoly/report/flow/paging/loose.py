@@ -10,7 +10,7 @@ from ..doc import ReportDoc
 from .setting import faults_of, tightened
 
 ENOUGH = 0.9  # of its pages: what is filled so far looks full
-OPENEST = 0.08  # by which share a text may grow: its leading stays, and pages of a report look alike
+OPENEST = 0.25  # by which share a text may grow
 TRIED = (0.85, 0.45)  # of the room that is left: no page fills to its last line
 
 
@@ -29,4 +29,4 @@ def loosened(story: Sequence[Any], doc: ReportDoc) -> ReportDoc:
 
 def grown(share: float) -> Tightness:
     """So open that a text of the common kind takes this share more of room."""
-    return Tightness(white=1 + 4.8 * share, figures=1 + min(1.4 * share, 0.12))
+    return Tightness(white=1 + 4.8 * share, lines=1 + 0.3 * share, figures=1 + 0.45 * share)
