@@ -51,10 +51,8 @@ def test_the_number_of_centres_is_counted_first(name: str) -> None:
 @each(IDS)
 def test_every_centre_that_is_sought_has_one_step_that_names_the_lines_on_which_it_lies(name: str) -> None:
     mech = drawn(name).problem.mechanism
-    named = [
-        (words, re.match(r"(?:求 |由△\d+、△\d+得 )\$(P_\{?\d+\}?)", words.replace(" 得", "得")))
-        for words in steps(name)
-    ]
+    head = re.compile(r"(?:求 |由△\d+、△\d+ 得 )\$(P_\{?\d+\}?)")
+    named = [(words, head.match(words)) for words in steps(name)]
     sought = [words for words, first in named if first]
     found = [re.sub("[{}]", "", first[1]) for _, first in named if first]
     direct = {
