@@ -115,7 +115,8 @@ def _disagreeing(solution: Solution) -> str:
     """The first quantity of which the exact hand draws something else than the oracle finds."""
     answers = [one for one in solution.answers.values() if not one.undefined]
     near = slack(solution)
-    floor = natural(solution.problem.subject) if isinstance(solution.problem.subject, Mechanism) else {}
+    subject = solution.problem.subject
+    floor = natural(subject) if isinstance(subject, Mechanism) else dict(getattr(subject, "likely", {}))
     floor |= over_a_period(solution.problem)
     for one in answers:
         unit = one.reading.unit

@@ -7,6 +7,7 @@ data: {sun: 30, planet: [20, 25], sun_2: 25, omega_1: 10 rad/s, omega_H: 4 rad/s
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
@@ -206,3 +207,9 @@ class Epicyclic(Device):
     def size(self) -> float:
         """The largest radius (m)."""
         return max(self.radii["3"], self.radii["H"] + max(self.radii["2"], self.radii["2′"]))
+
+    @property
+    def likely(self) -> Mapping[str, float]:
+        """The speeds that are given, and those of the largest radius with them: another may vanish."""
+        fastest = max(abs(omega.si) for omega in self.omegas.values() if omega is not None)
+        return {"rad/s": fastest, "m/s": fastest * self.size}
