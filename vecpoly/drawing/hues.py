@@ -17,6 +17,7 @@ from ..figures.hue import TONES, Hue
 from .style import Dash, kind_hue
 
 Tones = Mapping[str, int] | None
+CENTRODES: Mapping[Role, Hue] = {Role.LOCUS: TONES[0], Role.CARRIED: TONES[1]}
 
 
 def hue_of(tone: int) -> Hue:
@@ -57,8 +58,7 @@ def mark_hue(mark: Mark, view: View, label: str, tones: Tones) -> Hue:
 
 def curve_hue(role: Role, tones: Tones) -> Hue:
     """The ink of a curve: of its own where it is a centrode, which may lie on a link; black where all is black."""
-    inks = {} if tones is not None and not tones else {Role.LOCUS: TONES[0], Role.CARRIED: TONES[1]}
-    return inks.get(role, Hue.BLACK)
+    return Hue.BLACK if tones is not None and not tones else CENTRODES.get(role, Hue.BLACK)
 
 
 def line_hue(key: str, tones: Tones, else_: Hue) -> Hue:

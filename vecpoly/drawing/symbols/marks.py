@@ -39,7 +39,7 @@ from ...board.paper.marks import (
     Weld,
 )
 from ...board.paper.tones import key_of
-from ..hues import curve_hue, dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
+from ..hues import CENTRODES, curve_hue, dash_of, image_hue, is_hollow, line_hue, mark_hue, tint_of
 from ..scene import Fill, Item, Layer, Stroke
 from ..style import DOT_RADIUS, FOUND, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
@@ -120,7 +120,8 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Segment(role=role):
             a, b = around.outside(mark)
-            p = pen(role, image_hue(around.view, around.tones))
+            hue = curve_hue(role, around.tones) if role in CENTRODES else image_hue(around.view, around.tones)
+            p = pen(role, hue)
             layer = Layer.THIN if p.width <= THIN else around.link_layer(mark.owner, a, b)
             hue = line_hue(mark.key, around.tones, p.hue)
             cut = role is Role.RESULT and bool(mark.key) and around.view.is_polygon  # a vector that a ring cuts off
