@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 from vecpoly.batch.classwork import Made, Order, Told, make_class
 from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
-from vecpoly.foundation.rubbish import seldom_looked_for
+from vecpoly.foundation.running.rubbish import seldom_looked_for
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.words import Words
 

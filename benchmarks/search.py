@@ -8,7 +8,7 @@ from __future__ import annotations
 import resource
 from time import perf_counter
 
-from vecpoly.foundation.spread import spread
+from vecpoly.foundation.running.spread import spread
 from vecpoly.search.base import Search
 from vecpoly.search.run import BLOCK, Block, scored
 from vecpoly.search.spec import load_search

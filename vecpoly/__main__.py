@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 
-from .foundation.rubbish import seldom_looked_for
+from .foundation.running.rubbish import seldom_looked_for
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from vecpoly.cli.app import app
 from vecpoly.errors import AssemblyError, VecpolyError
-from vecpoly.foundation.spread import spread
+from vecpoly.foundation.running.spread import spread
 from vecpoly.words import Words
 
 LONG = """

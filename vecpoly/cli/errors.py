@@ -19,7 +19,7 @@ import typer
 
 from ..errors import Fault, VecpolyError
 from ..foundation.data import data_dir
-from ..foundation.system import of_system
+from ..foundation.running.system import of_system
 from ..words import Words, bare, unmarked
 from .tongue import told_in, tongue
 from .usage import UsageError, in_chinese, in_plain_english

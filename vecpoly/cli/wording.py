@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import isnan
 from typing import TYPE_CHECKING
 
+from ..foundation.greek import GREEK
 from ..names import written_unit
 from ..words import Lang
 
@@ -12,10 +13,7 @@ if TYPE_CHECKING:
     from ..solution import Answer
 
 _SENSE = {"ccw": {"zh": "逆时针", "en": "↺ ccw"}, "cw": {"zh": "顺时针", "en": "↻ cw"}}
-_GREEK = {
-    "omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "delta": "δ", "lambda": "λ", "gamma": "γ",
-    "theta": "θ", "psi": "ψ", "beta": "β", "psi0": "ψ0", "dW": "ΔW",
-}  # fmt: skip
+_STEMS = GREEK | {"psi0": "ψ0"}
 _YES_NO = {True: {"zh": "是", "en": "yes"}, False: {"zh": "否", "en": "no"}}
 _UNDEFINED = {"zh": "无意义", "en": "undefined"}
 MM = 1e3  # in a metre: places are told in mm, as a text gives them
@@ -26,8 +24,8 @@ _HUGE = 1e9  # a value below this is written without a power of ten
 def symbol(key: str) -> str:
     """omega_3 → ω_3, eta → η, an_CB → a^n_CB, the rest as it is."""
     stem, joint, rest = key.partition("_")
-    if stem in _GREEK:
-        return f"{_GREEK[stem]}{joint}{rest}"
+    if stem in _STEMS:
+        return f"{_STEMS[stem]}{joint}{rest}"
     return f"a^{stem[1]}_{rest}" if stem in ("an", "at", "ak", "ar") else key
 
 

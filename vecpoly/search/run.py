@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import FaultError, MissingPackageError
-from ..foundation.spread import spread
+from ..foundation.running.spread import spread
 from ..problem.problem import Problem
 from ..problem.values.made import problem as made
 from ..words import Words

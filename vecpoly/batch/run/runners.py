@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ...errors import MissingPackageError
-from ...foundation.rubbish import seldom_looked_for
+from ...foundation.running.rubbish import seldom_looked_for
 from ...words import Words
 
 Done = tuple[int, Any]  # the number of a task, and its result

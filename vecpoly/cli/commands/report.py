@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from ...errors import NoMethodError, VecpolyError
 from ...foundation.files import is_special
+from ...foundation.running.spread import spread
 from ...foundation.slotted import dataclass, replace
-from ...foundation.spread import spread
 from ...words import Words
 from ..errors import Tally, about
 from ..files import STDOUT, put, spared

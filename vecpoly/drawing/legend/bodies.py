@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import tau
+
 from ...board.paper.marks import Arc, Curve, Disc, Hatched, Mark, Plate, Role, Vector
 from ...words import Words
 from .entry import HALF, MIDDLE, WIDE
@@ -34,7 +36,7 @@ SMALL = HALF + 0.2  # mm: radius of a round sample
 def _ring(mark: Mark) -> Marks:
     """A circle drawn as this one."""
     role = getattr(mark, "role", Role.RESULT)
-    return (Arc(centre=MIDDLE, radius=SMALL, start=0.0, sweep=6.2831853, role=role),)
+    return (Arc(centre=MIDDLE, radius=SMALL, start=0.0, sweep=tau, role=role),)
 
 
 def _role(mark: Mark) -> Role:

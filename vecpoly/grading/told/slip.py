@@ -8,6 +8,7 @@ from contextlib import suppress
 
 from ...board.otherwise.slip import TOLD_OF, Mistake, Slip
 from ...errors import UnknownNameError
+from ...foundation.greek import GREEK
 from ...names import Kind, parse_rel
 from ...words import Words
 from .catalogue import Told
@@ -16,11 +17,7 @@ from .message import Message, message
 _RATIO = re.compile(r"omega_ratio_(\d+?)_?(\d+)")  # omega_ratio_13, omega_ratio_1_12
 _POINT = re.compile(r"([A-Za-z])(\d+)('*)")
 _SIDE = re.compile(r"_(left|right)$")  # of the two flanks of a groove, which bear alike
-_LETTER = {
-    "omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ", "delta": "δ", "lambda": "λ", "gamma": "γ",
-    "theta": "θ", "psi": "ψ", "beta": "β", "dW": "ΔW",
-}  # fmt: skip
-_GREEK = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(_LETTER)})(?![A-Za-z])")
+_GREEK = re.compile(rf"(?<![A-Za-z])(?:{'|'.join(GREEK)})(?![A-Za-z])")
 SLIPS = (Told.SLIP, Told.EITHER, Told.CORIOLIS, Told.CORIOLIS_2)  # the sentences that tell of one
 MOST = 3  # slips that one sentence tells
 _SAID = {
@@ -99,5 +96,5 @@ def symbol_of(key: str) -> str:
         if (rel := parse_rel(key)).kind is not Kind.P:  # p_L is a number of lower pairs
             return rel.symbol
     head, low, body = _SIDE.sub("", key).partition("_")
-    head, body = (_GREEK.sub(lambda found: _LETTER[found[0]], part) for part in (head, body))
+    head, body = (_GREEK.sub(lambda found: GREEK[found[0]], part) for part in (head, body))
     return f"{head}_{{{body}}}" if low and body else head

@@ -9,7 +9,7 @@ from typing import Any
 
 from ... import limits
 from ...errors import FaultError, ProblemFileError
-from ...foundation.system import of_system
+from ...foundation.running.system import of_system
 from ...units.comma import refuse_comma
 from ...words import Words
 from ..reach import Reach

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ....errors import Fault, FaultError, Place, ProblemFileError, VecpolyError
-from ....foundation.system import of_system
+from ....foundation.running.system import of_system
 from ....limits import DRAWING_BYTES
 from ....words import Words
 from ..segment import Drawing

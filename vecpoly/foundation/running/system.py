@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import errno
 
-from ..words import Words
+from ...words import Words
 
 _SYSTEM = {
     errno.ENOENT: "没有此文件或文件夹",

@@ -1,0 +1,1 @@
+"""What has to do with the machine that runs the program: processes, garbage, what the operating system refuses."""
