@@ -100,7 +100,7 @@ class _Found:
         read = [act for act in named if act.mm > ZERO and not _of_place(act, places)]
         computed = {act.key: act for act in acts if isinstance(act, Compute) and act.key not in asked and _is_step(act)}
         taken = {*asked, *computed}
-        steps: list[tuple[Act, Graded]] = [(act, _reading(act, _name(act, read, taken))) for act in read]
+        steps: list[tuple[Act, Graded]] = [(act, _reading(act, _name(act, named, taken))) for act in read]
         steps += [(act, _area(act)) for act in acts if isinstance(act, Area) and act.mm2 > ZERO]
         steps += [(act, _computed(act)) for act in computed.values()]
         steps += [(act, self._asked(self.solution.answers[key])) for key, act in asked.items()]
@@ -216,9 +216,11 @@ def _letter(found: re.Match[str]) -> str:
     return found[1] + (f"_{{{found[2]}}}" if found[2] else "") + ("^′" if found[3] else "")
 
 
-def _name(act: Measure, read: Sequence[Measure], taken: set[str]) -> str:
-    """The letters of a length, with its figure where two lengths have them, with mm where a quantity has them."""
-    alone = all(abs(one.mm - act.mm) <= ZERO * act.mm for one in read if _ends(one) == _ends(act))
+def _name(act: Measure, named: Sequence[Measure], taken: set[str]) -> str:
+    """The letters of a length, with its figure where two lengths have them, be one of them nothing; with mm where a
+    quantity has them.
+    """
+    alone = all(abs(one.mm - act.mm) <= ZERO * act.mm for one in named if _ends(one) == _ends(act))
     name = act.key if alone else act.names[0]
     return f"{name} mm" if name in taken else name
 

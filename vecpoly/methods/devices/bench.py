@@ -52,10 +52,10 @@ class Bench:
         on_paper = board.measure(start, end, letters)
         size = on_paper.value * scale.value
         formula = worked(name_of(named.symbol), board.mu(place) * on_paper, named.unit)
-        vector: complex | None = None
+        each: Points | None = None
         if named.is_vector:
             zero = abs(complex(nominal(end - start))) < NO_LENGTH
-            vector = 0j if zero else complex(nominal(size * np.exp(1j * board.gauge(start, end))))
+            each = 0j * size if zero else size * np.exp(1j * board.gauge(start, end))
         if told:
             board.write(formula)
         self._keep(
@@ -64,7 +64,7 @@ class Bench:
                 symbol=named.symbol,
                 unit=named.unit,
                 scalar=float(nominal(size)),
-                vector=vector,
+                vector=None if each is None else complex(nominal(each)),
                 mm=float(nominal(on_paper.value)),
                 line=letters,
                 scale=scale.symbol,
@@ -72,6 +72,7 @@ class Bench:
                 acts=acts,
             ),
             size,
+            each,
         )
         return magnitude(named.symbol, size, named.unit)
 
@@ -138,5 +139,5 @@ class Bench:
             value,
         )
 
-    def _keep(self, reading: Reading, values: Reals) -> None:
-        self.board.keep(reading, values)
+    def _keep(self, reading: Reading, values: Reals, each: Points | None = None) -> None:
+        self.board.keep(reading, values, each)

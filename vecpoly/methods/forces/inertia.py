@@ -81,20 +81,20 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
     expr = magnitude(f"m_{link}", mass.mass, "kg") * accel
     size = board.compute(named.symbol, expr, "N")
     vector = -unit(tip) * st.mm(size.value)
-    direction = board.gauge(tip, 0j)
+    each = size.value * np.exp(1j * board.gauge(tip, 0j))
     reading = Reading(
         key=named.key,
         symbol=named.symbol,
         unit="N",
         scalar=float(nominal(size.value)),
-        vector=complex(nominal(size.value * np.exp(1j * direction))),
+        vector=complex(nominal(each)),
         mm=float(nominal(on_paper.value)),
         line=letters,
         scale=board.scales[View.ACCELERATION].symbol,
         factor=f"m_{link}",
         formula=worked(size.node, expr, "N"),
     )
-    st.keep(reading, size.value)
+    st.keep(reading, size.value, each)
     return _settle(st, mass, named, vector, st.desk.where(At(mass.centre)))
 
 

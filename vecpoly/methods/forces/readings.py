@@ -131,6 +131,7 @@ def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> N
             acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None),
         ),
         size,
+        None if zero else vector,
     )
 
 

@@ -166,9 +166,9 @@ class Statics(Rubbing):
         self.acting[by, on] = found
         return found
 
-    def keep(self, reading: Reading, value: Reals) -> None:
-        """Keep an answer, as it is read and by every hand."""
-        self.board.keep(reading, value)
+    def keep(self, reading: Reading, value: Reals, each: Points | None = None) -> None:
+        """Keep an answer, as it is read and by every hand; each: of a force its vector (N) by every hand."""
+        self.board.keep(reading, value, each)
 
     def known(self, link: str) -> list[Acting]:
         """All known forces on a link: loads, inertia force, weight, reactions already found."""

@@ -53,6 +53,7 @@ def _keep(st: Statics, named: Named, vector: Points, point: str) -> None:
             key=named.key, symbol=named.symbol, unit="N", scalar=abs(at), vector=at, acts=LineOfAction(point=metres)
         ),
         np.abs(vector),
+        vector,
     )
 
 
