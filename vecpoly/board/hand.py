@@ -80,6 +80,11 @@ class Hand:
         """How far (mm) a point of the nominal sheet may lie beside its place: ten times what the dividers scatter."""
         return 10.0 * self.nominal.dividers
 
+    @property
+    def slacks(self) -> Reals:
+        """The same of every hand."""
+        return np.array([self.slack, *[10.0 * self.repeated.dividers] * self.repeats]) if self.repeats else self.slack
+
     def carry(self, length: Reals) -> Reals:
         """A length set in the dividers (mm)."""
         return length + self._scatter(lambda skill: skill.dividers)

@@ -46,8 +46,14 @@ def distance(given: Measured, graded: Graded, target: Target) -> float:
 
 
 def widened(given: Measured, target: Target) -> float:
-    """T with what the last digit that was written hides: nobody writes more digits than he has."""
-    return target.allowed + min(given.half, target.allowed) * 0.5
+    """T with what the last digit that was written hides: nobody writes more digits than he has; 0 hides nothing."""
+    return target.allowed + (min(given.half, target.allowed) * 0.5 if given.value else 0.0)
+
+
+def _upwards(graded: Graded, target: Target, rule: Allowance) -> float:
+    """T of what comes out larger, where drawings scatter by more than the value: none comes out less than nothing."""
+    held = graded.demoted and target.allowed >= abs(target.value)
+    return min(rule.k * graded.sigma, 2.0 * target.allowed) if held else 0.0
 
 
 def is_other_sense(given: Measured, graded: Graded) -> bool:
@@ -62,8 +68,8 @@ def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> O
         return Outcome.RIGHT if given.yes == bool(target.value) else Outcome.WRONG
     if graded.kind is Kind.PLACE and given.at is not None and target.at is not None:
         return _band(distance(given, graded, target), target.allowed, rule)
-    off = abs(gap(given.value, graded, target))
-    sized = _band(off, widened(given, target), rule)
+    off = gap(given.value, graded, target)
+    sized = _band(abs(off), max(widened(given, target), _upwards(graded, target, rule) if off > 0 else 0.0), rule)
     if sized is Outcome.WRONG:
         return _sign(given, graded, target, rule)
     turned = _turned(given, graded, target, rule)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
@@ -140,10 +140,12 @@ def _same(key: AnswerKey, first: Mutant, second: Mutant) -> bool:
     return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
 
 
-def alike(key: AnswerKey, first: Mutant, second: Mutant, names: Collection[str]) -> bool:
-    """Whether two mistakes give the same of these quantities."""
-    pairs = ((key[name], first.value_of(key[name]), second.value_of(key[name])) for name in names)
-    return not any(_apart(one, mine, theirs) for one, mine, theirs in pairs)
+def alike(key: AnswerKey, first: Mutant, second: Mutant, names: Mapping[str, bool]) -> bool:
+    """Whether two mistakes give the same of these quantities. names: of each whether its direction is told."""
+    return not any(
+        _apart(one, first.value_of(one), second.value_of(one) if told else replace(second.value_of(one), degrees=None))
+        for one, told in ((key[name], told) for name, told in names.items())
+    )
 
 
 def _changed(key: AnswerKey, found: ByHand, hand: int) -> dict[str, Value]:

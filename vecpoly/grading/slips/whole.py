@@ -49,7 +49,8 @@ def explain(
         return Explained(mutant=None)
     fitting.sort(key=lambda each: each[0])
     if len(fitting) > 1 and fitting[1][0] - fitting[0][0] < MARGIN:
-        return _either(key, pool, [one for score, one in fitting if score - fitting[0][0] < MARGIN])
+        near = [one for score, one in fitting if score - fitting[0][0] < MARGIN]
+        return _either(key, {one.key: one.mine.direction is not None for one in written}, near)
     return Explained(mutant=fitting[0][1])
 
 
@@ -139,9 +140,9 @@ def _ways(one: Graded) -> int:
     return 2 if one.kind is Kind.PLACE else 1
 
 
-def _either(key: AnswerKey, pool: Collection[str], near: Sequence[Mutant]) -> Explained:
+def _either(key: AnswerKey, pool: Mapping[str, bool], near: Sequence[Mutant]) -> Explained:
     """Mistakes that agree as well: one, either of them, where each moves several of these values, and all move them
-    alike; else several."""
+    alike; else several. pool: of each value whether its direction was written."""
     first, *others = near
     moved = [name for name in pool if name in first.values]
     if len(moved) < BORNE_OUT or not all(alike(key, first, one, pool) for one in others):

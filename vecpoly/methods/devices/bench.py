@@ -17,6 +17,7 @@ from ...board.otherwise.slip import Chance
 from ...foundation.slotted import replace
 from ...names import Named, ascii_key
 from ...plane import Points, Reals, nominal
+from ...plane.traced import acts_of, traced
 from ...words import Words
 
 NO_SCALE = Scale(symbol="", value=1.0, unit="")  # of a sketch and of a block diagram
@@ -130,10 +131,11 @@ class Bench:
             named, board.conclude(key, board.amended.altered(value, wrong), named.unit, chances=tuple(otherwise))
         )
 
-    def judged(self, named: Named, yes: Reals, remark: Words) -> None:
-        """Keep the answer to a question, 1 yes and 0 no; the sentence that answers it goes into the step."""
+    def judged(self, named: Named, yes: Reals, remark: Words, *by: Points | Reals) -> None:
+        """Keep the answer to a question, 1 yes and 0 no, and what it was judged by; the sentence that answers it goes
+        into the step."""
         self.board.remark(remark)
-        value = np.where(yes, 1.0, 0.0)
+        value = traced(np.where(yes, 1.0, 0.0), acts_of(*by))
         self._keep(
             Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), remark=remark),
             value,

@@ -80,9 +80,7 @@ def _speed(motions: Motions, link: str, spot: Spot, key: str, symbol: str) -> Dr
     )
     motions.fig.board.write(reading.formula or sym(symbol))
     motions.fig.board.keep(
-        replace(reading, scalar=float(nominal(np.abs(vector))), vector=complex(nominal(vector))),
-        np.abs(vector),
-        vector,
+        replace(reading, scalar=float(nominal(np.abs(vector))), vector=complex(nominal(vector))), np.abs(vector), vector
     )
     return symbol, spot.at, vector
 

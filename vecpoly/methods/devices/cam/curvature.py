@@ -109,7 +109,7 @@ def _judged(bench: Bench, cam: Cam, rho: Quantity) -> None:
     board.step(Words("检查失真：", "Is it undercut?"))
     sharp, hit = corners(board, place_of(cam), cam), interferes(board, cam)
     spoilt = np.asarray(left.value) < 0 if not (sharp or hit) else np.full_like(np.asarray(left.value), 1.0) > 0
-    bench.judged(UNDERCUT, spoilt, _verdict(float(nominal(left.value)), sharp, hit, cam))
+    bench.judged(UNDERCUT, spoilt, _verdict(float(nominal(left.value)), sharp, hit, cam), left.value)
 
 
 def _verdict(left: float, sharp: bool, hit: bool, cam: Cam) -> Words:
@@ -154,4 +154,4 @@ def _judged_flat(bench: Bench, cam: Cam, rho: Quantity) -> None:
             "速度突减处平底的包络线中断，运动失真。",
             " Where the velocity drops at once the envelope breaks off: undercut.",
         )
-    bench.judged(UNDERCUT_FLAT, spoilt, verdict)
+    bench.judged(UNDERCUT_FLAT, spoilt, verdict, rho.value)

@@ -82,7 +82,7 @@ def _judged(bench: Bench, device: EccentricClamp, arm: Quantity) -> None:
                 " The arm $h$ is negative: the moment of $R′_{21}$ closes the clamp.",
             )
         )
-    bench.judged(SELF_LOCKING, locks, Words(f"因 {text}，故 {zh}。", f" Since {text}, {en}."))
+    bench.judged(SELF_LOCKING, locks, Words(f"因 {text}，故 {zh}。", f" Since {text}, {en}."), arm.value)
 
 
 def _finer(bench: Bench, clamp: Clamp) -> Scale:

@@ -51,7 +51,8 @@ def _speed(bench: Bench, rim: Rim, h: Quantity, omega: Quantity) -> None:
         safe = v.value <= rim.v_max.si
         most = number(rim.v_max.si)
         zh, en = ("不超过", "does not exceed") if bool(nominal(safe)) else ("超过", "exceeds")
-        bench.judged(asked.RIM_SAFE, safe, Words(f"{zh}许用值 {most} m/s。", f" It {en} the allowed {most} m/s."))
+        told = Words(f"{zh}许用值 {most} m/s。", f" It {en} the allowed {most} m/s.")
+        bench.judged(asked.RIM_SAFE, safe, told, v.value)
 
 
 def _root(square: Expr) -> Row:

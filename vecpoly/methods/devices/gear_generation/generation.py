@@ -154,7 +154,7 @@ def _limits(bench: Bench, gear: GearGeneration, rack: Rack) -> None:
         )
     )
     board.step(Words("检查根切：", "Is the gear undercut?"))
-    bench.judged(UNDERCUT, cut, said)
+    bench.judged(UNDERCUT, cut, said, least.value)
 
 
 def _thickness(bench: Bench, rack: Rack) -> Quantity:

@@ -88,4 +88,4 @@ def judged_within(bench: Bench, end: str, polygon: Polygon, left: Points, allowe
     yes = size <= allowed.value
     inside = Words("末端在圆内：合格。", " It lies inside: accepted.")
     outside = Words("末端在圆外：不合格，须校正。", " It lies outside: a correction is needed.")
-    bench.judged(symbol, yes, inside if bool(nominal(yes)) else outside)
+    bench.judged(symbol, yes, inside if bool(nominal(yes)) else outside, size, allowed.value)

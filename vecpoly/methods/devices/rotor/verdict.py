@@ -37,16 +37,17 @@ def told_kind(bench: Bench, rotor: Rotor, whole: Polygon, polygons: Mapping[str,
         )
     )
     one, other = (polygon.tip for polygon in polygons.values())
-    static = np.abs(whole.tip) <= least
-    dynamic = (np.abs(one) <= least) & (np.abs(other) <= least)
+    closed = np.maximum(least, board.hand.slacks)
+    static = np.abs(whole.tip) <= closed
+    dynamic = (np.abs(one) <= closed) & (np.abs(other) <= closed)
     yes, no = (
         Words("和为零：静平衡。", "The sum is zero: static balance."),
         Words("和不为零：静不平衡。", "The sum is not zero: static unbalance."),
     )
     is_static, is_dynamic = bool(nominal(static)), bool(nominal(dynamic))
-    bench.judged(STATIC, static, yes if is_static else no)
+    bench.judged(STATIC, static, yes if is_static else no, whole.tip)
     kind = _kind(rotor, complex(nominal(one)), complex(nominal(other)), is_static, is_dynamic, least)
-    bench.judged(DYNAMIC, dynamic, kind)
+    bench.judged(DYNAMIC, dynamic, kind, one, other)
 
 
 def _kind(rotor: Rotor, one: complex, other: complex, static: bool, dynamic: bool, least: float) -> Words:

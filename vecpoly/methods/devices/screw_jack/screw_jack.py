@@ -149,6 +149,8 @@ def _locked(bench: Bench, jack: Thread) -> None:
             f"$α$ = {steep}° {sign} ${name}$ = {lean}°，{zh}。",
             f" Here $α$ = {steep}° {sign} ${name}$ = {lean}°: {en}.",
         ),
+        alpha.value,
+        phi.value,
     )
 
 
