@@ -38,8 +38,9 @@ def beside(degrees: Any, other: float) -> Any:
 
 
 def come_round(degrees: Any, other: float) -> Any:
-    """An angle, or many, written so that it is nearest to another: 361° beside 359°, for 1°."""
-    return other + (degrees - other + 180.0) % 360.0 - 180.0
+    """An angle, or many, written so that it is nearest to another: 361° beside 359°, for 1°; beyond a turn, as in the
+    cycle of a four-stroke engine, it is as it is."""
+    return degrees if abs(other) > 360.0 else other + (degrees - other + 180.0) % 360.0 - 180.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -52,8 +52,8 @@ def widened(given: Measured, target: Target) -> float:
 
 def _upwards(graded: Graded, target: Target, rule: Allowance) -> float:
     """T of what comes out larger, where drawings scatter by more than the value: none comes out less than nothing."""
-    held = graded.demoted and target.allowed >= abs(target.value)
-    return min(rule.k * graded.sigma, 2.0 * target.allowed) if held else 0.0
+    held = graded.demoted and graded.unit != "deg" and target.allowed >= abs(target.value)
+    return rule.k * graded.sigma if held else 0.0
 
 
 def is_other_sense(given: Measured, graded: Graded) -> bool:

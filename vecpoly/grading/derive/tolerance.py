@@ -97,9 +97,11 @@ class Scatter:
             wide = one.unit == "deg" and radians(spread) > rule.share  # of an angle: of a radian
             allowed = max(spread, floor) if isfinite(spread) else size or largest
             return replace(one, allowed=allowed, demoted=wide)  # no share of what has no size
-        cap = min(rule.cap / mm if mm else inf, rule.share) * size
-        if spread > min(rule.wrong * cap, rule.share * size):  # a right drawing would be called wrong
+        if spread > rule.share * size:
             return replace(one, allowed=max(min(spread, size), floor), demoted=True)
+        cap = min(rule.cap / mm if mm else inf, rule.share) * size
+        if spread > rule.wrong * cap:  # a right drawing would be called wrong
+            return replace(one, allowed=spread)
         return replace(one, allowed=max(min(spread, cap), floor))
 
     def _floor(self, one: Graded, mm: float | None, largest: float) -> float:
