@@ -42,3 +42,10 @@ def test_an_angle_that_nobody_reads_is_judged_by_own_values_and_never_by_the_lar
     one = key_of("8-4")["gamma_min_1"]
     assert one.demoted and one.allowed <= one.exact
     assert not marked("8-4", {"gamma_min_1": "60"})["gamma_min_1"].is_right
+
+
+def test_what_is_computed_once_more_as_a_check_is_not_what_others_rest_on() -> None:
+    """M_2/Q of the screw jack is read off the polygon and then checked by a formula, which no length enters."""
+    assert "F_t0" in key_of("5-5")["M_2/Q"].needs
+    for name in ("5-1", "5-4"):
+        assert key_of(name)["eta"].needs

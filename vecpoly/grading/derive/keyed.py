@@ -98,7 +98,8 @@ class _Found:
         places = {key for key, one in self.solution.answers.items() if one.is_place}
         named = [act for act in acts if isinstance(act, Measure) and act.key]  # lifts between stations have no letters
         read = [act for act in named if act.mm > ZERO and not _of_place(act, places)]
-        computed = {act.key: act for act in acts if isinstance(act, Compute) and act.key not in asked and _is_step(act)}
+        worked = [act for act in acts if isinstance(act, Compute) and act.key not in asked and _is_step(act)]
+        computed = {act.key: act for act in reversed(worked)}  # what is worked once more, as a check, leads nowhere
         taken = {*asked, *computed}
         steps: list[tuple[Act, Graded]] = [(act, _reading(act, _name(act, named, taken))) for act in read]
         steps += [(act, _area(act)) for act in acts if isinstance(act, Area) and act.mm2 > ZERO]
