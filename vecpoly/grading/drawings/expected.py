@@ -11,6 +11,7 @@ from ...board.hand import hand
 from ...board.otherwise.amended import AS_DRAWN, Amended, plain_letters
 from ...board.paper.marks import FixedGuide, Plate, Role, Segment, Slot
 from ...board.place import Pane, Place, View, called, view_of
+from ...figures.energy import INDICATOR
 from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...methods.desk import Desk
@@ -19,9 +20,10 @@ from ...methods.plan import sketched
 from ...problem.problem import Problem
 from ...solution import constructed, scales_of
 from ...task import task_of
+from .segment import SHORTEST
 
 NOTHING = 1e-6  # mm
-NO_POLYGON = (View.MECHANISM, View.BODY)
+NO_POLYGON = (View.MECHANISM, View.BODY, INDICATOR)  # the last: each on its own line, beside one another
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -178,7 +180,7 @@ def _letter(act: Locate | Plot) -> str:
 def _vectors(acts: Sequence[Act], vertices: Sequence[Vertex]) -> Iterator[Edge]:
     found: list[Edge] = []
     for act in acts:
-        if isinstance(act, Arrow) and act.key and abs(act.b - act.a) > NOTHING:
+        if isinstance(act, Arrow) and act.key and abs(act.b - act.a) > SHORTEST:
             same = next((n for n, one in enumerate(found) if _same(one, act)), None)
             if same is not None:
                 found[same] = replace(found[same], keys=tuple(dict.fromkeys((*found[same].keys, act.key))))
@@ -190,7 +192,7 @@ def _vectors(acts: Sequence[Act], vertices: Sequence[Vertex]) -> Iterator[Edge]:
 
 
 def _same(one: Edge, act: Arrow) -> bool:
-    return abs(one.a - act.a) < NOTHING and abs(one.b - act.b) < NOTHING
+    return abs(one.a - act.a) < SHORTEST and abs(one.b - act.b) < SHORTEST
 
 
 def _letters(vertices: Iterable[Vertex], at: complex) -> tuple[str, ...]:

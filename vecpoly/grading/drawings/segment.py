@@ -8,6 +8,7 @@ from ...foundation.slotted import replace
 from ...words import Words
 
 TOUCH = 0.3  # mm: ends that are meant to be one
+SHORTEST = 0.3  # mm: a shorter line is a slip of the mouse, and nobody draws one
 CAD_SIGMA = 0.02  # mm: how well an end that was set by a program is known
 
 

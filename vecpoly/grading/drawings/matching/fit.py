@@ -14,7 +14,7 @@ from ..expected import Shape
 from ..segment import Segment
 from .held import UPRIGHT, Held
 from .naming import fits
-from .scale import LIKE, SAME_SCALE, SLACK, Vectors, chosen, nearer, nearly, ratios, refined
+from .scale import LIKE, SAME_SCALE, SLACK, Vectors, chosen, known, nearer, nearly, ratios, refined
 from .tidy import Strokes
 
 LEAST = 0.25  # of a figure's lines that must be found in a part
@@ -22,6 +22,7 @@ NAMED = 2.0
 STRAYS, BESIDE = 1, 10.0  # lines that hang together, and mm from a figure, to which they may belong
 FREE = 0.7  # of a score is for free vectors, the rest for those that lie where they should
 OWN_SCALE = 0.03  # the scale of the problem is preferred to one's own
+KNOWN = 0.5  # much more so where the known vector is drawn to it
 BOTH = 0.1  # a mistake at one's own scale is told from what is right at another only by this
 FINELY = 0.05  # of two figures that are nearly the same the one that is drawn more exactly
 MISTAKEN = 0.05  # what is right is preferred to what a mistake makes of it
@@ -114,17 +115,23 @@ def _best(lines: Sequence[Segment], shapes: Sequence[Shape], declared: float | N
     own = np.array([one.along for one in lines])
     bonus = _told(lines, shapes[0]) - (NAMED if heads and not _may_be(lines, shapes[0]) else 0.0)
     found = _Try(score=0.0, scale=declared or 1.0)
+    own_scale = KNOWN if _is_drawn(own, known(shapes[0])) else OWN_SCALE
     for n, shape in enumerate(shapes):
         should = np.array([edge.along for edge in shape.edges])
         for scale in [declared] if declared else ratios(own, should):
             score = _share(lines, shape, own, should, scale, found.score)
             other = not declared and abs(scale - 1) > SAME_SCALE
-            score -= MISTAKEN * bool(n) + (OWN_SCALE + BOTH * bool(n)) * other
+            score -= MISTAKEN * bool(n) + (own_scale + BOTH * bool(n)) * other
             if score > found.score + 1e-6 or (score > found.score - 1e-6 and nearer(scale, found.scale)):
                 found = _Try(score=score, scale=scale)
     if found.score:
         bonus += FINELY * nearly(lines, shapes[0], declared or refined(lines, shapes, found.scale))
     return _Try(score=found.score + bonus, scale=found.scale)
+
+
+def _is_drawn(own: Vectors, known: Sequence[complex]) -> bool:
+    """Whether the vector that is known before the polygon is drawn as the scale of the problem has it."""
+    return any(np.min(np.abs(own - one)) <= LIKE * abs(one) for one in known)
 
 
 def _may_be(lines: Sequence[Segment], shape: Shape) -> bool:

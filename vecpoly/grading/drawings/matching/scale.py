@@ -14,6 +14,7 @@ LIKE, SLACK = 0.07, 0.5  # of a vector's length, and mm: what counts as the same
 CLOSE, BETTER = 0.003, 0.3  # of a length: nearly exact; of a figure: how much more of it is so at another scale
 NEARLY = 1.0  # mm: off by so much a vector is half as good as one that is exact
 PARALLEL = 0.05  # rad
+LONG = 15.0  # mm: by a shorter vector no scale is told
 RATIOS = 40
 SAME_SCALE = 0.005
 
@@ -38,10 +39,19 @@ def nearer(scale: float, other: float) -> bool:
     return bool(abs(np.log(scale)) < abs(np.log(other)))
 
 
+def known(shape: Shape) -> list[complex]:
+    """The vector that is laid off first: what is laid off later may rest on what was drawn; of several short ones the
+    longest. None, where all are found by drawing."""
+    given = sorted((edge for edge in shape.edges if edge.given), key=lambda edge: edge.act)
+    return [edge.along for edge in given if abs(edge.along) >= LONG][:1] or [
+        edge.along for edge in sorted(given, key=lambda edge: -abs(edge.along))[:1]
+    ]
+
+
 def refined(lines: Sequence[Segment], shapes: Sequence[Shape], scale: float) -> float:
-    """The scale by the longest vector that is known; of a diagram by what most of its lines agree in."""
+    """The scale by the vector that is known; of a diagram by what most of its lines agree in."""
     own = np.array([one.along for one in lines])
-    given = [edge.along for edge in shapes[0].edges if edge.given] or [edge.along for edge in shapes[0].edges]
+    given = known(shapes[0]) or [edge.along for edge in shapes[0].edges]
     ratios = []
     for along in given:
         off = np.minimum(np.abs(own / scale - along), np.abs(own / scale + along))
@@ -71,8 +81,11 @@ def _closely(lines: Sequence[Segment], shape: Shape, scale: float) -> float:
 
 
 def nearly(lines: Sequence[Segment], shape: Shape, scale: float) -> float:
-    """How well a figure is drawn at this scale, 0 to 1: what tells a figure from another that is nearly the same."""
+    """How well a figure is drawn at this scale, 0 to 1: what tells a figure from another that is nearly the same, or
+    is the same but for the senses of its vectors.
+    """
     own, should = np.array([one.along for one in lines]) / scale, np.array([edge.along for edge in shape.edges])
-    off = np.minimum(np.abs(own[:, None] - should), np.abs(own[:, None] + should)).min(axis=0)
+    against = np.array([NEARLY if one.headed and not shape.diagram else 0.0 for one in lines])[:, None]
+    off = np.minimum(np.abs(own[:, None] - should), np.abs(own[:, None] + should) + against).min(axis=0)
     size = np.abs(should)
     return float(np.sum(size / (1 + (off / NEARLY) ** 2)) / np.sum(size))

@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
 from ....foundation.slotted import replace
-from ..segment import TOUCH, Drawing, Segment
+from ..segment import SHORTEST, TOUCH, Drawing, Segment
 from .barbs import headed_by_barbs
 from .naming import figure_of, helping
 
-SHORTEST = 0.3  # mm: less is a slip of the mouse
 STRAIGHT = 0.002  # rad between pieces of one line
 THIN = 0.6  # of the widest ink: helping lines, where nothing else tells
 
