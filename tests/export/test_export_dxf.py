@@ -14,6 +14,8 @@ import pytest
 from ezdxf.document import Drawing
 from typer.testing import CliRunner
 
+from tests.drawn_library import LIBRARY
+from tests.each import each
 from tests.laws import few
 from vecpoly import load, solve
 from vecpoly.board.construction import Construction, Figure, View
@@ -49,6 +51,14 @@ def lines(doc: Drawing, layer: str) -> list[tuple[complex, complex]]:
 
 def has(found: list[tuple[complex, complex]], a: complex, b: complex, by: complex = 0j) -> bool:
     return any(abs(p - a - by) + abs(q - b - by) < CLOSE for p, q in found)
+
+
+@each([*few(LIBRARY, 24), "A-27-c", "B-29.5"])
+def test_every_sheet_of_the_library_is_written(problem: str) -> None:
+    """Heads of the shortest vectors among them, which are all wall and have no white."""
+    solution = solved(problem)
+    for sheet in sheets(solution.construction, title=solution.problem.title):
+        assert read(sheet_dxf(sheet)).modelspace()
 
 
 @pytest.mark.parametrize("problem", few(SEVERAL, 4))

@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 
+from tests.drawn_library import LIBRARY
 from tests.each import each
 from tests.grader_proof.students import drawn_class
 from tests.grading.cases import key_of, marked, mutants_of, problem_of, told
 from tests.laws import few
-from vecpoly.foundation.data import data_dir
 from vecpoly.grading.key import AnswerKey, come_round
 
 STUDENTS = 8
-NO_PROBLEM = ("assignment", "design-", "search-")  # files of several problems, and of none
 
 
-@cache
-def _library() -> list[str]:
-    files = sorted(data_dir("problems").rglob("*.yaml"))
-    return [one.stem for one in files if not one.stem.startswith(NO_PROBLEM)]
-
-
-@each(few(_library(), 16))
+@each(few(LIBRARY, 16))
 def test_students_who_draw_rightly_are_right_and_accused_of_nothing(name: str) -> None:
     group, rng = drawn_class(problem_of(name), key_of(name), "pencil", STUDENTS, 11), np.random.default_rng(11)
     sheets = [marked(name, group.sheet(student, rng)) for student in range(STUDENTS)]

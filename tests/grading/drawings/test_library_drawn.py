@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from tests.drawn_library import LIBRARY
 from tests.each import each
 from tests.grading.drawings.made import by_pencil, drawn, key_of, marked
 from tests.laws import few, often
-from vecpoly.foundation.data import data_dir
 from vecpoly.grading.allowance import STUDENT
 from vecpoly.grading.drawings.judging.mark import Verdict
 from vecpoly.grading.drawings.segment import SHORTEST
 
-NO_PROBLEM = ("assignment", "design-", "search-")
 MIRRORED = ("engine-four",)  # its couples of both orders are one polygon, told apart by letters alone
-LIBRARY = sorted(one.stem for one in data_dir("problems").rglob("*.yaml") if not one.stem.startswith(NO_PROBLEM))
 
 
 @each([name for name in few(LIBRARY, 12) if name not in MIRRORED])

@@ -166,8 +166,8 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
     lines = shapes.hollow(shaft) if twofold else (shaft,)
     known = mark.role is Role.GIVEN and around.view.is_polygon
     heads = [Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step)]
-    if known:
-        heads.append(Fill(points=shapes.inside(tip, WALL), hue=Hue.WHITE, layer=Layer.HEAD, step=mark.step))
+    if known and (white := shapes.inside(tip, WALL)):
+        heads.append(Fill(points=white, hue=Hue.WHITE, layer=Layer.HEAD, step=mark.step))
     return (*lines, *heads)
 
 

@@ -81,11 +81,11 @@ def head(tip: complex, direction: complex, length: float, width: float) -> tuple
 
 
 def inside(head: tuple[complex, complex, complex], wall: float) -> tuple[complex, ...]:
-    """The white of an open arrowhead, so far (mm) inside its three sides."""
+    """The white of an open arrowhead, so far (mm) inside its three sides; none in one that is all wall."""
     a, b, c = head
     sides = abs(b - c), abs(c - a), abs(a - b)
     around = sum(sides)
     middle = sum(side * corner for side, corner in zip(sides, head, strict=True)) / around  # of the circle in it
     within = abs(((b - a) * (c - a).conjugate()).imag) / around
-    share = max(0.0, 1.0 - wall / within) if within else 0.0
-    return tuple(middle + share * (corner - middle) for corner in head)
+    share = 1.0 - wall / within if within else 0.0
+    return tuple(middle + share * (corner - middle) for corner in head) if share > 0 else ()
