@@ -15,13 +15,13 @@ import shapely
 
 from vecpoly.drawing.figure import Drawing, drawing
 from vecpoly.drawing.labels.ground import is_ground
-from vecpoly.drawing.labels.placing import BAD, Placed
 from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.legend.legend import entries
 from vecpoly.drawing.legend.on_sheet import with_legend
 from vecpoly.drawing.scene import Item, Rect, Stroke, rect_of
 from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP
+from vecpoly.drawing.weighing.placed import BAD, Placed
 from vecpoly.errors import VecpolyError
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from vecpoly.drawing.figure import Drawing
 from vecpoly.drawing.labels.ground import is_ground
-from vecpoly.drawing.labels.placing import Placed
 from vecpoly.drawing.labels.want import Spot, Thing
 from vecpoly.drawing.scene import Fill, Item, Rect, Stroke, TextBox
+from vecpoly.drawing.weighing.placed import Placed
 from vecpoly.drawing.weighing.stood import APART, FRACTION
 from vecpoly.typeset import Glyphs
 

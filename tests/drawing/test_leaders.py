@@ -8,9 +8,9 @@ import shapely
 from tests.laws import few
 from tests.studies import solved
 from vecpoly.drawing.figure import drawing
-from vecpoly.drawing.labels.placing import Placed
 from vecpoly.drawing.labels.spots import SHORT
 from vecpoly.drawing.scene import Stroke
+from vecpoly.drawing.weighing.placed import Placed
 
 CLOSE = 0.3  # mm within which a line is read as one through the letter
 

@@ -27,11 +27,11 @@ from vecpoly.board.paper.marks import (
 from vecpoly.diagram.owners import FIXED
 from vecpoly.drawing.details.apart import all_detailed
 from vecpoly.drawing.figure import drawing
-from vecpoly.drawing.labels.placing import Placed
 from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.scene import Fill, Stroke
 from vecpoly.drawing.symbols.angles import draw_angle
 from vecpoly.drawing.symbols.bodies import block_corners
+from vecpoly.drawing.weighing.placed import Placed
 
 
 def numbers(*marks: Mark) -> list[Placed]:

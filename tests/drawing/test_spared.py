@@ -16,7 +16,7 @@ from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment
 from vecpoly.board.strokes import OVERRUN
 from vecpoly.drawing.figure import Bare, drawing
 from vecpoly.drawing.labels.want import Thing
-from vecpoly.drawing.spared import ABOUT, FAR, LED, MANY, spared
+from vecpoly.drawing.spared import ABOUT, FAR, LED, MANY
 from vecpoly.words import Words
 
 
@@ -39,9 +39,14 @@ def test_where_letters_crowd_neither_line_of_a_meeting_has_its_name(around: int,
     assert _named(_meeting(around)) == named
 
 
+def test_letters_go_no_farther_off_where_it_is_enough_to_leave_names_of_directions_out() -> None:
+    assert not any(one.want.farther for one in drawing(_meeting(20)).labels)
+    assert any(one.want.farther for one in drawing(_meeting(28)).labels), "there it is not enough"
+
+
 def test_on_a_mechanism_every_line_keeps_its_name() -> None:
-    crowded = _meeting(12)
-    assert not spared(replace(crowded, view=View.MECHANISM), drawing(crowded).labels)
+    named = {text_of(one) for one in drawing(replace(_meeting(12), view=View.MECHANISM)).labels}
+    assert {"⊥BC", "⊥DC"} <= named
 
 
 @each(IDS)

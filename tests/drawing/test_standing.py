@@ -40,7 +40,7 @@ def test_a_label_that_came_back_costs_what_it_would_if_it_had_never_moved(led: b
         if rng.random() < 0.5:
             continue  # not looked at after every move
         followed.look(standing)
-        anew, again = Meeting(trial, NUMBERS, 0, COUNT), followed.again()
+        anew, again = (Meeting(trial, NUMBERS, 0, COUNT, {}, known) for known in ({}, followed.known))
         anew.look(standing)
         again.look(standing)
         assert [followed.whom(k, standing) for k in range(PLACES)] == [anew.whom(k, standing) for k in range(PLACES)]

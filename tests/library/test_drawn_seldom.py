@@ -15,7 +15,7 @@ from vecpoly.board.construction import EquationTable, Step, View
 from vecpoly.board.paper.marks import AngleMark, Arc, Dot, Point, Role, Segment, Vector
 from vecpoly.curves.skeleton import skeleton
 from vecpoly.cycle import cycle
-from vecpoly.drawing.labels.about.obstacles import _boxes
+from vecpoly.drawing.labels.about.bounds import Bounds
 from vecpoly.errors import NoMethodError
 from vecpoly.mechanism.model import FRAME, Prismatic
 from vecpoly.methods.standing import standing
@@ -165,8 +165,8 @@ def test_a_ghost_of_a_mechanism_has_every_bar_and_every_guide_up_to_its_block(na
 
 
 def test_the_room_of_a_lettering_is_as_wide_and_high_as_it_and_a_margin_more() -> None:
-    (box,) = _boxes(np.array([3 + 5j]), 4.0, 2.0, 0.5)
-    assert box.bounds == (0.5, 3.5, 5.5, 6.5)
+    box = Bounds.about(np.array([3 + 5j]), np.array([4.0]), np.array([2.0]), 0.5)
+    assert (*box.x0, *box.y0, *box.x1, *box.y1) == (0.5, 3.5, 5.5, 6.5)
 
 
 @pytest.mark.parametrize("kind", [Kind.V, Kind.A, Kind.AN, Kind.AT])

@@ -5,7 +5,10 @@ Nothing else moves: what is measured, the letters of points and the points thems
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..board.construction import View
 from ..board.paper.marks import Mark, Vector
@@ -33,34 +36,39 @@ def beside(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
 def _lanes(vectors: Sequence[Vector]) -> list[float]:
     """Where each is drawn, first beside longer ones; then beside shorter ones, too, that only its own line holds."""
     lanes: dict[int, float] = {}
+    covers, known = _covers(vectors), [whose(key_of(one)) for one in vectors]
+    twins = [_twins(n, vectors, known) for n in range(len(vectors))]
+    others = [
+        set(np.flatnonzero(row).tolist()).difference(some) for row, some in zip(covers | covers.T, twins, strict=True)
+    ]
     for _ in range(2):
-        for n, one in enumerate(vectors):
-            twin = next((m for m in range(n) if _are_one(one, vectors[m])), None)
-            others = [(vectors[m], lanes[m]) for m in lanes if not _are_one(one, vectors[m])]
-            lanes[n] = lanes[twin] if twin is not None else _lane(one, lanes.get(n, 0.0), others)
-    return [lanes[n] for n in range(len(vectors))]
+        for n, (first, *_) in enumerate(twins):
+            there = {m: lanes[m] for m in others[n] if m in lanes}
+            covered = {lane for m, lane in there.items() if covers[n, m]}
+            lanes[n] = lanes[first] if first < n else _lane(lanes.get(n, 0.0), covered, there.values())
+    return list(lanes.values())
 
 
-def _lane(one: Vector, own: float, others: Sequence[tuple[Vector, float]]) -> float:
+def _lane(own: float, covered: Collection[float], taken: Collection[float]) -> float:
     """Its own place where it covers none, or the first where no vector is; its own where all are taken."""
-    if own not in {lane for other, lane in others if _covers(one, other)}:
-        return own
-    taken = {lane for other, lane in others if _covers(one, other) or _covers(other, one)}
-    return next((lane for lane in LANES if lane not in taken), own)
+    return own if own not in covered else next((lane for lane in LANES if lane not in taken), own)
 
 
-def _covers(one: Vector, other: Vector) -> bool:
-    """Whether a part of the other lies on the line of one."""
-    along = (one.b - one.a) / abs(one.b - one.a)
-    p, q = ((end - one.a) * along.conjugate() for end in (other.a, other.b))
-    if max(abs(p.imag), abs(q.imag)) > ON_LINE:
-        return False
-    return bool(min(abs(one.b - one.a), max(p.real, q.real)) - max(0.0, min(p.real, q.real)) > OVERLAP)
+def _covers(vectors: Sequence[Vector]) -> NDArray[np.bool_]:
+    """Whether a part of the second lies on the line of the first, of each two."""
+    a, b = np.array([(one.a, one.b) for one in vectors], dtype=complex).reshape(-1, 2).T[:, None]
+    long = np.abs(b - a).T
+    along = ((b - a) / np.abs(b - a)).conjugate().T
+    p, q = (a - a.T) * along, (b - a.T) * along
+    shared = np.minimum(long, np.maximum(p.real, q.real)) - np.maximum(0.0, np.minimum(p.real, q.real))
+    result: NDArray[np.bool_] = (np.maximum(abs(p.imag), abs(q.imag)) <= ON_LINE) & (shared > OVERLAP)
+    return result
 
 
-def _are_one(one: Vector, other: Vector) -> bool:
-    """Whether a vector is drawn twice: known first, then as the result."""
-    return whose(key_of(one)) == whose(key_of(other)) and abs(one.a - other.a) + abs(one.b - other.b) < SAME
+def _twins(n: int, vectors: Sequence[Vector], known: Sequence[str]) -> list[int]:
+    """Where a vector is drawn once more, itself included: known first, then as the result."""
+    one, alike = vectors[n], (m for m, name in enumerate(known) if name == known[n])
+    return [m for m in alike if abs(one.a - vectors[m].a) + abs(one.b - vectors[m].b) < SAME]
 
 
 def _moved(mark: Mark, aside: float) -> Mark:

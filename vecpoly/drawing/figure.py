@@ -18,22 +18,20 @@ from .labels.actions import is_line_of_action
 from .labels.ground import broken
 from .labels.kept import Lettering, places_forgotten
 from .labels.notes import LEADING, folded, lines
-from .labels.placing import Placed
 from .labels.want import Line, Spot, Want
 from .labels.wants import grounds, unnamed, wants
 from .ringed import is_astray
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
-from .spared import relieved
 from .style import NOTE, TITLE
 from .symbols.around import Surroundings
 from .symbols.marks import draw
+from .weighing.placed import Placed
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
 DETAIL = 1.15 * NOTE  # em of the title of a detail, which is a part of its figure: that of a scale
 PART = pattern(r"(^| )detail \d+$")  # the name of a detail (`details/apart.py`)
 _FIGURES = 6  # of a scale
 KEPT = 64  # drawings
-RELIEFS = 4  # times that a crowd is relieved
 WITH_LINES = Words("与力的作用线", " with lines of action")
 TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
@@ -61,6 +59,7 @@ class Bare:
     wanted: tuple[Want, ...]
     unnamed: tuple[Spot, ...]
     grounds: tuple[Line, ...]
+    polygon: bool
 
     @classmethod
     def of(cls, figure: Figure, lang: Lang, held: tuple[Ground, ...] = ()) -> Bare:
@@ -71,16 +70,17 @@ class Bare:
         marks = cleared(figure.view, beside(figure.view, figure.marks), held)
         around = Surroundings.of(figure.view, marks, lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
-        return cls(items, wants(figure.view, marks, lang, figure.tones), unnamed(marks), grounds(marks))
+        wanted = wants(figure.view, marks, lang, figure.tones)
+        return cls(items, wanted, unnamed(marks), grounds(marks), figure.view.is_polygon)
 
     @property
     def extents(self) -> Rect:
         """The rectangle that the items cover."""
         return Scene.of(self.items).extents
 
-    def lettering(self, wanted: tuple[Want, ...], frame: Rect | None) -> Lettering:
-        """These labels among its lines."""
-        return Lettering.of(wanted, self.items, self.extents, frame, self.unnamed, self.grounds)
+    def lettering(self, frame: Rect | None) -> Lettering:
+        """Its labels among its lines."""
+        return Lettering(self.wanted, self.items, self.extents, frame, self.unnamed, self.grounds, self.polygon)
 
 
 def draw_figure(
@@ -106,22 +106,11 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
     bare = Bare.of(figure, lang)
-    placed = tuple(label for label in _lettered(figure, bare, frame) if not is_astray(figure, label))
+    placed = tuple(label for label in bare.lettering(frame).placed if not is_astray(figure, label))
     items = broken(bare.items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
     return Drawing(scene, placed, items, lettered.extents)
-
-
-def _lettered(figure: Figure, bare: Bare, frame: Rect | None) -> tuple[Placed, ...]:
-    """Its labels in their places; again without what a crowd spares, until it spares nothing more."""
-    placed = bare.lettering(bare.wanted, frame).placed
-    for _ in range(RELIEFS):
-        left = relieved(figure, placed)
-        if left == tuple(one.want for one in placed):
-            break
-        placed = bare.lettering(left, frame).placed
-    return placed
 
 
 def drawn_anew() -> None:

@@ -6,9 +6,9 @@ import re
 
 from ..board.construction import Figure
 from ..board.paper.marks import Arc
-from .labels.placing import Placed
 from .labels.want import Thing
 from .symbols.around import RING
+from .weighing.placed import Placed
 
 _DETAIL = re.compile(r"(^| )detail \d+$")  # as figures of details are named
 FAR = 7.0  # mm from a point to the middle of its letter beyond which a leader tells less than the detail

@@ -15,12 +15,12 @@ from ...words import Lang
 from ..figure import Bare, Drawing, drawing
 from ..hung import hung
 from ..scene import Item
+from ..weighing.placed import BAD, Placed
 from ..weighing.places import Places, Row
 from ..weighing.prices import Around
 from .about.bounds import Floats
 from .about.obstacles import Obstacles
 from .ground import broken
-from .placing import BAD, Placed
 from .rivals import Named, misled_here
 from .spots import spot, spots
 from .want import BREAKING, Want, resized

@@ -39,12 +39,11 @@ def broken(items: tuple[Item, ...], letters: Sequence[Rect]) -> tuple[Item, ...]
     if not soft or not letters:
         return items
     sides = np.array([(r.x0 - HALO, r.y0 - HALO, r.x1 + HALO, r.y1 + HALO) for r in letters])
-    holes = shapely.union_all(shapely.box(*sides.T))
-    shapely.prepare(holes)
-    lines = _lines([items[n] for n in soft])
-    met = dict(zip(soft, lines, strict=True))
-    struck = {n for n, hit in zip(soft, shapely.intersects(holes, lines).tolist(), strict=True) if hit}
-    left = (_left(item, met[n].difference(holes)) if n in struck else (item,) for n, item in enumerate(items))
+    boxes, lines = shapely.box(*sides.T), _lines([items[n] for n in soft])
+    struck, letter = shapely.STRtree(boxes).query(lines, predicate="intersects")
+    holes = shapely.union_all(boxes[np.unique(letter)])
+    parted = {soft[k]: lines[k].difference(holes) for k in np.unique(struck).tolist()}
+    left = (_left(item, parted[n]) if n in parted else (item,) for n, item in enumerate(items))
     return tuple(chain.from_iterable(left))
 
 

@@ -3,16 +3,18 @@ in black, both languages of a report often letter one figure."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import field
 from functools import lru_cache
 from typing import Any
 
 from ...foundation.slotted import dataclass, replace
 from ..scene import Fill, Item, Rect, Stroke
+from ..weighing.placed import Placed
+from ..weighing.prices import Around
 from .about.obstacles import Obstacles, is_solid
 from .ground import gives_way, is_ground
-from .placing import Placed, place
+from .placing import place
 from .want import Line, Spot, Want
 
 KEPT = 64  # figures
@@ -30,30 +32,22 @@ class Lettering:
     frame: Rect | None
     unnamed: tuple[Spot, ...]
     grounds: tuple[Line, ...]
-    known_by: Key
+    polygon: bool
+    known_by: Key = field(init=False)
 
-    @classmethod
-    def of(
-        cls,
-        wanted: tuple[Want, ...],
-        items: tuple[Item, ...],
-        drawn: Rect,
-        frame: Rect | None = None,
-        unnamed: tuple[Spot, ...] = (),
-        grounds: tuple[Line, ...] = (),
-    ) -> Lettering:
-        """Of a figure without its letters."""
-        return cls(wanted, items, drawn, frame, unnamed, grounds, (*map(_asks, wanted), *map(_stands, items)))
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "known_by", (*map(_asks, self.wanted), *map(_stands, self.items)))
 
     @property
     def placed(self) -> tuple[Placed, ...]:
-        """Each label at its place, the same whenever it is asked for."""
-        return tuple(map(_as_wanted, self.wanted, _placed(self)))
+        """Each label at its place, the same whenever it is asked for; what a crowd spares is left out."""
+        return tuple(_as_wanted(self.wanted[i], found) for i, found in _placed(self).items())
 
 
 @lru_cache(maxsize=KEPT)
-def _placed(one: Lettering) -> Sequence[Placed]:
-    return place(one.wanted, Obstacles.of(one.items), one.drawn, one.frame, one.unnamed, one.grounds)
+def _placed(one: Lettering) -> Mapping[int, Placed]:
+    obstacles = Obstacles.of(one.items)
+    return place(Around(obstacles, one.wanted, one.drawn, one.frame, one.unnamed, one.grounds, one.polygon))
 
 
 def places_forgotten() -> None:
@@ -65,15 +59,17 @@ def _as_wanted(want: Want, found: Placed) -> Placed:
     """A label where one that is as large was placed."""
     if found.want is want:
         return found
-    own = replace(want, farther=True) if found.want.farther and not want.farther else want
+    said = want.in_brief if want.brief and not found.want.brief else want
+    own = replace(said, farther=True) if found.want.farther and not want.farther else said
     return Placed(own, found.centre, found.cost, found.foot)
 
 
 def _asks(want: Want) -> Key:
-    """What tells where a label may go."""
+    """What tells where a label may go, and whether it may be left out or say less."""
     size = (want.width, want.height, want.radius)
-    flags = (want.one_sided, want.thing, want.farther, want.level)
-    return (*size, *flags, want.feet, want.normals, want.own, want.bow)
+    flags = (want.one_sided, want.thing, want.farther, want.level, want.is_number)
+    less = _asks(want.in_brief) if want.brief else ()
+    return (*size, *flags, want.feet, want.normals, want.own, want.bow, less)
 
 
 def _stands(item: Item) -> Key:

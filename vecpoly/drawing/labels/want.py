@@ -6,7 +6,7 @@ from dataclasses import field
 from enum import Enum
 
 from ...foundation.slotted import dataclass, replace
-from ...typeset import Box
+from ...typeset import Box, Glyphs
 from ..style import Hue
 
 Spot = tuple[complex, float]  # a place, and the radius of what is drawn there
@@ -61,6 +61,16 @@ class Want:
         object.__setattr__(self, "height", ascent + max(p.box.descent for p in self.pieces))
 
     @property
+    def in_brief(self) -> Want:
+        """The label where it says less."""
+        return replace(self, pieces=self.brief, brief=())
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is a number, as of a series."""
+        return all(isinstance(one, Glyphs) and one.text.isdigit() for piece in self.pieces for one in piece.box.items)
+
+    @property
     def course(self) -> tuple[complex, ...]:
         """The line that it names, by points."""
         return self.bow or self.own
@@ -75,7 +85,7 @@ def resized(want: Want, factor: float) -> Want:
 
 
 def _scaled(box: Box, k: float) -> Box:
-    from ...typeset import Glyphs, Rule
+    from ...typeset import Rule
 
     items: list[Glyphs | Rule] = []
     for item in box.items:

@@ -12,8 +12,9 @@ from ...words import Lang
 from ..details.apart import is_detail
 from ..details.knots import MOST
 from ..figure import Bare, caption_items
-from ..scene import Scene
+from ..scene import Rect, Scene
 from .detailing import Whole, arrangements, loose
+from .lettering import lettered
 from .pages import Page, fullness
 from .paging import Drawn, best_paged, paged
 from .space import SPARSE
@@ -35,7 +36,7 @@ class Expected:
 
     @classmethod
     def unlettered(cls, figures: Sequence[Figure], lang: Lang, on: Paper) -> Expected:
-        """Before any letter has its place: the figures take no less room than this."""
+        """Before any letter has its place, by what letters take as a rule."""
         return cls(figures, lang, on, tuple(_unlettered(figure, lang) for figure in figures))
 
     @classmethod
@@ -105,6 +106,10 @@ def _within(pages: Sequence[Page[Drawn]] | None, sheets: int) -> bool:
 
 
 def _unlettered(figure: Figure, lang: Lang) -> Drawn:
-    """The lines of a figure, its title and its scale."""
+    """The lines of a figure, its title and its scale, with the room that its letters will take about."""
     lines = Scene.of(Bare.of(figure, lang).items)
-    return Drawn(figure.view, figure.name, lines + Scene.of(caption_items(figure, lines.extents, lang)), figure=figure)
+    scene = lines + Scene.of(caption_items(figure, lines.extents, lang))
+    across, up = lettered(figure)
+    at = scene.extents.centre - complex(across, up) / 2
+    room = Rect(at.real, at.imag, at.real + across, at.imag + up)
+    return Drawn(figure.view, figure.name, replace(scene, extents=room), figure=figure)

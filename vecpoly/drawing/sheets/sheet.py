@@ -144,7 +144,11 @@ def sheets(
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:
     """The figures with as many details as need no further sheet, and leave none with little on it if others do not."""
     most, detailed = max((len(knots(figure)) for figure in figures), default=0), None
-    if not most or not dear(figures) or Expected.unlettered(figures, lang, on).fits(1):
+    if most and dear(figures):
+        made = (one for one in trials(Expected.unlettered(figures, lang, on), None, 1, most, boxed) if one is not None)
+        if (single := next((one for one in made if len(one) == 1), None)) is not None:
+            return single
+    else:
         detailed = best_paged(arrangements(figures, lang), on)
         if detailed is not None and (len(detailed) == 1 or not most):
             return detailed

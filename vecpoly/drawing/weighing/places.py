@@ -9,6 +9,7 @@ from itertools import accumulate
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ..labels.about.bounds import Floats, Indices
 from ..labels.spots import DIRECTIONS, LED, PER_DISTANCE, Spots, beside, on_leaders, price_of_leader, rings
 from ..labels.want import Want
@@ -118,9 +119,10 @@ class Places:
         costs = self.total[found].tolist()
         return [one for one in zip(costs, (found + self.first).tolist(), strict=True) if one[0] < below]
 
-    def among(self, at: int) -> tuple[int, int]:
+    def among(self, at: int) -> tuple[Batch, int]:
         """In which batch a place is, and which of its places it is there."""
-        return divmod(self._rank[at], BATCH)
+        n, place = divmod(self._rank[at], BATCH)
+        return self.batches[n], place
 
     @cached_property
     def _rank(self) -> list[int]:
@@ -143,10 +145,10 @@ class Row:
         near = Places(want, 0, (), around)
         return cls(want, (near, *_led(want, len(near.spots.centre), around, ())))
 
-    def eased(self, want: Want, around: Around) -> Row:
+    def eased(self) -> Row:
         """With the places on a leader that the label has in a crowd; those beside what it names are the same."""
-        near, *led = self.parts
-        return Row(want, (near, *_led(want, led[0].first, around, [part.stand for part in led])))
+        (near, *led), want = self.parts, replace(self.want, farther=True)
+        return Row(want, (near, *_led(want, led[0].first, near.around, [part.stand for part in led])))
 
     @property
     def near(self) -> Places:
@@ -163,12 +165,12 @@ class Row:
         part = next(part for part in reversed(self.parts) if number >= part.first)
         return part, number - part.first
 
-    def where(self, number: int) -> tuple[int, int, int]:
-        """In which part, in which batch of it, and which one there a place is."""
+    def where(self, number: int) -> tuple[Batch, int]:
+        """In which batch a place is, and which one there."""
         k = len(self.parts) - 1
         while number < self.parts[k].first:
             k -= 1
-        return k, *self.parts[k].among(number - self.parts[k].first)
+        return self.parts[k].among(number - self.parts[k].first)
 
     @property
     def freedom(self) -> int:

@@ -21,7 +21,8 @@ IN_CROWD = 0.3  # so much of its price has what a leader crosses in a crowd: bet
 
 @dataclass(frozen=True, slots=True)
 class Around:
-    """What stands about the labels of a figure: lines and solids, other things to name, the drawn extents, a frame."""
+    """What stands about the labels of a figure: lines and solids, other things to name, the drawn extents, a frame;
+    whether it is a polygon, of which the table of its equation tells directions."""
 
     obstacles: Obstacles
     wanted: tuple[Want, ...]
@@ -29,6 +30,7 @@ class Around:
     frame: Rect | None
     unnamed: tuple[Spot, ...] = ()  # points without a letter
     grounds: tuple[Line, ...] = ()  # edges of hatching, beside which a number is taken for the frame's
+    polygon: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,7 +47,8 @@ class Meeting:
     came back to where it was seen before costs the same, and at most places it is clear without that that they are
     too dear.
 
-    pairs: what labels cost each other, of all meetings of a figure. Of one that costs no place anything None is known.
+    pairs: what labels cost each other, of all meetings of a figure; known: what each of the others, by its number and
+    that of its place, costs these places, or None if it costs none of them anything.
     """
 
     trial: Trial
@@ -55,9 +56,7 @@ class Meeting:
     i: int
     count: int
     pairs: dict[Pair, float] = field(default_factory=dict)
-    _known: dict[tuple[int, int], Floats | None] = field(
-        default_factory=dict
-    )  # by the other and its place; None: nothing
+    known: dict[tuple[int, int], Floats | None] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._low, self._high = self.trial.span
@@ -67,10 +66,6 @@ class Meeting:
         self._each = np.zeros((len(self.numbers), self.count))
         self._new, self._dear = set[int](), set[int]()  # the others that are not weighed yet; that cost anything
         self._sum: Floats | None = np.zeros(len(self.numbers))
-
-    def again(self) -> Meeting:
-        """The same while nobody stands anywhere."""
-        return Meeting(self.trial, self.numbers, self.i, self.count, self.pairs, self._known)
 
     def look(self, standing: Standing) -> None:
         """See who has moved since."""
@@ -88,9 +83,9 @@ class Meeting:
             if k in self._dear:
                 self._each[:, k], self._sum = 0.0, None
                 self._dear.remove(k)
-            if now != AWAY and (k, now) not in self._known:
+            if now != AWAY and (k, now) not in self.known:
                 self._new.add(k)
-            elif now != AWAY and (known := self._known[k, now]) is not None:
+            elif now != AWAY and (known := self.known[k, now]) is not None:
                 self._set(k, known)
         self._moves = len(standing.moves)
 
@@ -111,7 +106,7 @@ class Meeting:
         if new:
             found = clashes(self.trial, Others.of([one for k in new if (one := standing.stood[k]) is not None]))
             for k, column in zip(new, found.T.copy(), strict=True):
-                known = self._known[k, self._seen[k]] = column if column.any() else None
+                known = self.known[k, self._seen[k]] = column if column.any() else None
                 if known is not None:
                     self._set(k, known)
             self._new.clear()

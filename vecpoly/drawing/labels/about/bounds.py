@@ -60,6 +60,10 @@ class Bounds:
         x, y = points.real, points.imag
         return Bounds(np.minimum(self.x0, x), np.minimum(self.y0, y), np.maximum(self.x1, x), np.maximum(self.y1, y))
 
+    def hold(self, points: Complexes) -> NDArray[np.bool_]:
+        """Whether each holds the point of the same number."""
+        return self.touch(Bounds(points.real, points.imag, points.real, points.imag))
+
     def touch(self, other: Bounds) -> NDArray[np.bool_]:
         """Whether each overlaps that of the same number."""
         across = (self.x0 <= other.x1) & (self.x1 >= other.x0)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Sequence
 from math import inf
-from typing import Any
 
 import numpy as np
 import shapely
@@ -30,6 +29,7 @@ COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
 ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
 PARTED = 24.0  # a line between a label and what it names
 TINY = 1e-9  # mm
+CLOSE = 0.3  # mm about a letter in which an area is under it
 BESIDE = 0.25  # mm off what is named: what lies nearer is part of it
 ON_SOLID, ON_TINT = 90.0, 0.8
 FINE, BROAD, BROKEN = 1.2, 1.6, 0.22  # what weighs standing on a fine line, a broader one, one that is broken off there
@@ -48,6 +48,7 @@ class Obstacles:
     yields: NDArray[np.bool_]  # whether a piece may be broken off about a letter
     polygons: NDArray[np.object_]
     solid: NDArray[np.bool_]
+    corners: Complexes  # of each polygon two, far apart
     spans: Bounds  # of the pieces
     areas: Bounds  # of the polygons
     way: Complexes  # of the pieces, from end to end
@@ -64,7 +65,8 @@ class Obstacles:
         ]
         a, b, half, weight, yields = zip(*pieces, strict=True) if pieces else ((), (), (), (), ())
         ends = np.array(a, dtype=complex), np.array(b, dtype=complex)
-        shapes = _polygons([_corners(item) for item in areas])
+        corners = [_corners(item) for item in areas]
+        shapes = _polygons(corners)
         shapely.prepare(shapes)
         solid = np.array([is_solid(item) for item in areas], dtype=bool)
         way = ends[1] - ends[0]
@@ -75,6 +77,7 @@ class Obstacles:
             np.array(yields, dtype=bool),
             shapes,
             solid,
+            np.array([(some[0], some[len(some) // 2]) for some in corners], dtype=complex).reshape(-1, 2).T,
             Bounds.between(*ends),
             Bounds(*shapely.bounds(shapes).reshape(-1, 4).T),
             way,
@@ -99,13 +102,22 @@ class Obstacles:
             dear = weight * (ON_LINE + PER_MM * (within * self.long[piece[close]]))
             price[close] += np.where(hit, dear, 0.0)
             np.add.at(total, box, price)
-        box, polygon = Bounds.about(centre, wide, high, 0.3).over(self.areas, groups)
-        if len(box):
-            here, at = np.unique(box, return_inverse=True)
-            met = shapely.intersects(self.polygons[polygon], _boxes(centre[here], wide[here], high[here], 0.3)[at])
-            box, polygon = box[met], polygon[met]
-        np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))
+        about = Bounds.about(centre, wide, high, CLOSE)
+        box, polygon = about.over(self.areas, groups)
+        met = self._touch(about, box, polygon)
+        np.add.at(total, box[met], np.where(self.solid[polygon[met]], ON_SOLID, ON_TINT))
         return total
+
+    def _touch(self, about: Bounds, box: Indices, polygon: Indices) -> NDArray[np.bool_]:
+        """Which of these boxes meet these polygons; most hold one of two corners."""
+        here = about.some(box)
+        met = here.hold(self.corners[0, polygon]) | here.hold(self.corners[1, polygon])
+        rest, at = np.unique(box[~met], return_inverse=True)
+        some = about.some(rest)
+        met[~met] = shapely.intersects(
+            self.polygons[polygon[~met]], shapely.box(some.x0, some.y0, some.x1, some.y1)[at]
+        )
+        return met
 
     def parted(self, root: Complexes, keep: Floats, centre: Complexes, own: Own, groups: Groups) -> Floats:
         """What each of many places costs for the lines between it and what its label names; keep: the radius of what is
@@ -215,11 +227,6 @@ def crossed(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[n
     apart = ((d * (p - a)).imag * (d * (q - a)).imag > 0) | ((e * (a - p)).imag * (e * (b - p)).imag > 0)
     result: NDArray[np.bool_] = ~apart
     return result
-
-
-def _boxes(centre: Complexes, width: Floats | float, height: Floats | float, by: float) -> Any:
-    x, y = centre.real, centre.imag
-    return shapely.box(x - width / 2 - by, y - height / 2 - by, x + width / 2 + by, y + height / 2 + by)
 
 
 def _along(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[np.bool_]:
