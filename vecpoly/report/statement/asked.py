@@ -15,6 +15,7 @@ from ...problem.asked.checks import is_check
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words, bare
 from ..values import asked_load, called, curved, way_of
+from .further import THE_SAME, further
 from .groups import Group, by_groups, parted
 from .meant import meant_by, plural
 
@@ -44,12 +45,18 @@ T = TypeVar("T")
 def asked(solution: Solution, lang: Lang) -> str:
     """The questions in symbols and words, a long list of them by kinds: the velocities v_B, v_C; the angular ..."""
     comma, stop = ("、", "；") if lang == "zh" else (", ", "; ")
-    told = [(key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang)) for key, ask in _listed(solution)]
-    return stop.join(
+    more = further(solution.construction.readings)
+    told = [
+        (key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang))
+        for key, ask in _listed(solution)
+        if ask is None or ask.rel.key not in more
+    ]
+    parts = [
         ("" if group is None else group.heads(len(some), lang))
         + comma.join(_once_named([text for _, text in some], lang))
         for group, some in asked_by_kinds(told)
-    )
+    ]
+    return stop.join([*parts, THE_SAME.of(lang)] if more else parts)
 
 
 def repeated(solution: Solution) -> bool:
