@@ -9,13 +9,14 @@ from ...board.acts import Compute
 from ...board.construction import Reading
 from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
+from ...mechanism.model import Mechanism
 from ...names import Kind, Named, Rel, parse_rel
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import MM
 from ...words import Lang, Words
 from ..answers.order import solution_of
 from ..flow.furniture import COLUMN
-from ..statement.asked import in_order
+from ..statement.asked import in_order, of_machines
 from ..statement.further import IF_ANY, further
 from ..statement.meant import meant_by
 from ..values import called
@@ -97,11 +98,17 @@ def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
     """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
     symbol, key = one.reading.symbol.replace(AWAY, ""), one.reading.key
     meant = meant_by(solution.problem.subject, key, f"${symbol}$") if one.reading.unit != YES_NO else None
-    name = called(symbol, key, lang) if meant is None else meant.of(lang)
+    name = _named(one, symbol, solution, lang) if meant is None else meant.of(lang)
     name += _YES_OR_NO.of(lang) * (one.reading.unit == YES_NO)
     paper, way = ("" if has(one) else NONE for has in (_measured, _points))
     unit = NONE if one.is_place or one.reading.unit in ("", YES_NO) else ""
     return name, paper, _PLACE.of(lang) if one.is_place else "", unit, way
+
+
+def _named(one: Answer, symbol: str, solution: Solution, lang: Lang) -> str:
+    """Its symbol, with what it is where a machine is reduced or balanced: no drawing shows that."""
+    meant = of_machines(one.reading.key, f"${symbol}$") if isinstance(solution.problem.subject, Mechanism) else None
+    return called(symbol, one.reading.key, lang) if meant is None else meant.of(lang).removeprefix("the ")
 
 
 def _valueless(solution: Solution) -> list[Reading]:

@@ -20,6 +20,7 @@ from ..sizes.coordinates import coordinates
 from ..sizes.sized import sized
 from .assembled import assembled
 from .framed.known import NEAR, given
+from .whole import whole
 
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
 LOW = 0.72  # of the height of other sketches
@@ -47,6 +48,8 @@ def _sketched(problem: Problem, construction: Construction, width: float, height
         return sized(problem, replace(reduced(figure, linkage(figure), width, LOW * height), title=SKETCH))
     if not isinstance(problem.subject, Design) or figure is None:
         return picture(problem, construction, width, height)
+    if (drawn := whole(problem, width, LOW * height)) is not None:
+        return drawn
     found = [mark for mark in given(construction, figure) if getattr(mark, "role", None) is not Role.OTHER]
     letters = {mark.at: mark.label.partition("_") for mark in found if isinstance(mark, Point)}
     marks = [_fine(mark) for mark in found if not _is_chord(mark, letters)]

@@ -14,7 +14,7 @@ from ..flow.furniture import COLUMN
 from ..flow.style import PALE
 
 SQUARE = 5.0 * MM
-LEAST_ROOM, _LITTLE = 35.0 * MM, 25.0 * MM  # of squares under a heading; less is no room: over a tall table
+LEAST_ROOM, _LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; less is no room: over a tall table
 BEGUN = 70.0 * MM  # of squares that go on overleaf: a lower strip stays white
 _TALL, _TALLEST = 180.0 * MM, 190.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
 _GAP = 3.0 * MM

@@ -158,12 +158,18 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
         return meant.of(lang)
     if isinstance(solution.problem.subject, Mechanism):
-        meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, reading.key)), None)
+        meant = of_machines(reading.key, symbol)
         if meant is not None:
-            return meant.of(lang).format(symbol)
+            return meant.of(lang)
     if reading.key.endswith(_IN_LINE):
         return _in_line(reading.key, symbol).of(lang)
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
+
+
+def of_machines(key: str, symbol: str) -> Words | None:
+    """A quantity of a mechanism as a machine with what it is, the efficiency η; None of one without a name."""
+    meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, key)), None)
+    return None if meant is None else Words(meant.zh.format(symbol), meant.en.format(symbol))
 
 
 def _in_line(key: str, symbol: str) -> Words:
