@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from math import inf
 
 import pytest
 
@@ -97,7 +98,7 @@ def test_even_motion_on_a_circle_has_a_sentence_and_neither_table_nor_curves(lan
 def test_a_table_that_is_read_down_one_half_and_then_the_other_is_not_parted() -> None:
     table = DataTable(["a", "", "a"], [(str(n), "", str(n)) for n in range(14)], None, "lll", lang="zh")
     assert table.split(160 * MM, 150.0)
-    table.undivided = True
+    table.undivided = inf
     assert not table.split(160 * MM, 150.0)
 
 

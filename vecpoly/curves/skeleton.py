@@ -57,7 +57,7 @@ def _place(cycle: Cycle, letter: str, phi: NDArray[np.float64]) -> Points:
 def _along(cycle: Cycle, joint: Prismatic, phi: NDArray[np.float64]) -> Points:
     """The direction of a guide's line."""
     turned = 0.0 if joint.guide == FRAME else np.asarray(_turned(cycle, joint.guide, phi))
-    return np.exp(1j * (turned + joint.direction)) * np.ones(len(phi))
+    return np.asarray(np.exp(1j * (turned + joint.direction)) * np.ones(len(phi)), np.complex128)
 
 
 def _turned(cycle: Cycle, link: str, phi: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -77,7 +77,7 @@ class DataTable(Block):
         self.groups = tuple(groups) or ("",) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
-        self.undivided = False  # rather goes to the next page than is parted
+        self.undivided = 0.0  # pt that it rather leaves white, going to the next page, than is parted
         self.align = (align + "c" * len(self.header))[: len(self.header)]
         self._vertical = _VERTICAL
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
@@ -150,7 +150,7 @@ class DataTable(Block):
 
     def split(self, width: float, height: float) -> list[Flowable]:
         """Whole rows to each page, the header on both."""
-        if self.undivided and len(self.rows) <= _PAGE_ROWS:
+        if height < self.undivided and len(self.rows) <= _PAGE_ROWS:
             return []
         found = self.set_in(width)
         used, count = found.top + _HEAVY, 0

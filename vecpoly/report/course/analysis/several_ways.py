@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ....algebra.rounding import to_places
 from ....solution import Answer
@@ -13,7 +13,7 @@ _POLYGON = Words("力多边形法", "force polygons")  # of what is told without
 _FEW = 2
 
 
-def alike(keys: Sequence[str], answers: dict[str, Answer]) -> list[list[str]]:
+def alike(keys: Sequence[str], answers: Mapping[str, Answer]) -> list[list[str]]:
     """The keys, those together that are asked by the same symbol and found by several ways."""
     found: list[list[str]] = []
     for key in keys:
