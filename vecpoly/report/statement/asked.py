@@ -28,7 +28,7 @@ _MEANT = {
     r"F_e\d*": Words("等效力 {}", "the equivalent force {}"),
     "dW_max": Words("最大盈亏功 {}", "the greatest surplus of work {}"),
     "J_F": Words("飞轮的转动惯量 {}", "the moment of inertia of the flywheel {}"),
-    "J_F_areas": Words("其近似值 {}", "its approximation {}"),
+    "J_F_areas": Words("$J_F$ 的近似值 {}", "the approximation {} of $J_F$"),
     "phi_max": Words("最大转速的位置 {}", "the place of the greatest speed {}"),
     "phi_min": Words("最小转速的位置 {}", "the place of the least speed {}"),
     r"W_c\d+": Words("配重的质径积 {}", "the mass-radius product of the counterweight {}"),
