@@ -158,10 +158,10 @@ def test_nothing_on_a_question_sheet_tells_that_there_is_a_second_solution(name:
     solution, frames_ = drawn(name).solution, blank_of(name)[0].figures
     assert "^{(2)}" not in asked(solution, "en") and "if there is one" in asked(solution, "en")
     heads = [row[0] for row in empty_table(solution, "en").rows if row[0].startswith("**Solution 2")]
-    assert heads == ["**Solution 2 (if any)**"]
+    assert heads == ["**Solution 2 (if there is one)**"]
     for frame in frames_:
         own = "solution 2" in frame.title.en
-        assert not own or frame.title.en.endswith("if any)")
+        assert not own or frame.title.en.endswith("if there is one)")
         assert own or not any("(2)" in text for text in told(frame))
 
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from ...board.construction import Reading
 from ...words import Words
 
-IF_ANY = Words("（如有）", " (if any)")
+IF_ANY = Words("（如有）", " (if there is one)")
 THE_SAME = Words("若有另一解，同样求其各量", "the same of a further solution, if there is one")
 _NUMBER = re.compile(r"\^\{?\((\d)\)")
 _TITLED = (re.compile(r"（解 ([2-9])）"), re.compile(r"\(solution ([2-9])\)"))
@@ -27,4 +27,4 @@ def doubtful(title: Words) -> Words:
     return Words(zh, en)
 
 
-_INTO = (r"（解 \1，如有）", r"(solution \1, if any)")
+_INTO = (r"（解 \1，如有）", r"(solution \1, if there is one)")
