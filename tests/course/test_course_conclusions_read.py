@@ -91,3 +91,36 @@ def test_several_peaks_and_groups_still_have_their_tables() -> None:
     captions = [one.caption for one in objects.named.values() if isinstance(one, DataTable)]
     assert sum("峰值及其成因" in one for one in captions) == 1 and "均方根值之比" in text
     assert sum("杆组线性方程组的行列式" in one for one in captions) == 1
+
+
+def test_dead_points_are_told_where_they_are_and_an_end_of_the_working_range_is_no_maximum() -> None:
+    it, told = studied("curv-3"), concluded("curv-3")
+    places = [it.where(spot.phi).split(" = ")[1] for spot in it.facts.dead]
+    assert len(places) == 2 and all(place in told for place in places)
+    assert "no maximum" in told
+    travels = next(line for line in told.splitlines() if line.startswith("Point"))
+    assert travels.count("an end of the working range") == 2
+
+
+def test_a_moment_that_is_found_by_three_ways_is_told_once_with_the_difference() -> None:
+    (told,) = (words.en for words in stated(studied("six-bar-dynamic")))
+    assert told.count("$M_{1}$") == 1 and "(force polygons)" in told and "(Zhukovsky lever)" in told
+    assert re.search(r"they (agree|differ by at most \d+\.\d %)", told)
+
+
+@pytest.mark.parametrize("name", ["curv-3", "3-12"])
+def test_the_appendix_tells_all_that_is_given_in_its_table_and_under_it(name: str) -> None:
+    text, objects = course_text(name, "en")
+    behind = text[text.index("Appendix A") :]
+    (under,) = re.findall(r"Beside them are given: ([^<]*)", behind)
+    rows = {
+        row[n]
+        for table in objects.named.values()
+        if isinstance(table, DataTable) and table.caption.startswith("Table A-1")
+        for row in table.rows
+        for n in range(0, len(row), 4)
+    }
+    for datum in studied(name).problem.given.data:
+        assert f"${datum.symbol}$" in rows or datum.of("en").split(" (")[0][:12] in under, datum
+    for letter in studied(name).mech.frame:
+        assert f"${letter}$(" in under

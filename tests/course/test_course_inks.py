@@ -41,7 +41,7 @@ def test_directions_stand_under_each_other_by_their_points() -> None:
 @pytest.mark.parametrize("lang", ["zh", "en"])
 def test_the_list_of_symbols_has_those_of_the_words(lang: Lang) -> None:
     (listed,) = (one for one in tables("3-9", lang) if one.caption in ("主要符号", "Symbols"))
-    symbols = {cell for row in listed.rows for cell in (row[0], row[3])}
+    symbols = {cell for row in listed.rows for cell in (row[0], row[4])}
     assert {"$K$", "$θ$", "$F$"} <= symbols and any("p_L" in one for one in symbols)
     assert not {"$J_e$", "$δ$", "$J_F$"} & symbols  # 3-9 is no machine
 

@@ -48,3 +48,10 @@ def test_results_stand_over_the_legend_and_neither_on_a_figure(name: str) -> Non
 def test_the_sheet_of_the_given_position_carries_what_was_asked_beside_its_legend(name: str) -> None:
     drawn = chosen(studied(name), "en")[0]
     assert any({TITLE.en, RESULTS.en} <= {*dict(_texts(sheet.results))} for sheet in drawn.sheets)
+
+
+@pytest.mark.parametrize("name", few(["3-9", "ex10"], 2))
+def test_every_position_that_is_drawn_has_its_results_on_its_sheets(name: str) -> None:
+    """Of what was asked at least what is no part of a vector: a long list had no room."""
+    for one in chosen(studied(name), "en"):
+        assert any(RESULTS.en in dict(_texts(sheet.results)) for sheet in one.sheets), one.phi

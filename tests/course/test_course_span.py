@@ -65,7 +65,7 @@ def symbols_of(report: tuple[str, Objects]) -> list[str]:
     (table,) = (
         one for one in objects.named.values() if isinstance(one, DataTable) and one.caption in ("主要符号", "Symbols")
     )
-    return [cell for row in table.rows for cell in (row[0], row[3])]
+    return [cell for row in table.rows for cell in (row[0], row[4])]
 
 
 def test_a_point_called_E_is_no_energy() -> None:

@@ -117,7 +117,7 @@ def listed(name: str, lang: Any = "en") -> list[tuple[str, str, str]]:
     objects = Objects()
     symbols(studied(name), Press(lang, objects))
     (table,) = (one for one in objects.named.values() if isinstance(one, DataTable))
-    left, right = ([tuple(map(str, row[k : k + 3])) for row in table.rows] for k in (0, 3))
+    left, right = ([tuple(map(str, row[k : k + 3])) for row in table.rows] for k in (0, 4))
     return [(a, b, c) for a, b, c in (*left, *right) if a]
 
 

@@ -13,13 +13,14 @@ from vecpoly.curves import curves, style
 from vecpoly.curves.flat import plane, stations
 from vecpoly.curves.place import Placer
 from vecpoly.curves.poses import poses
-from vecpoly.curves.skeleton import skeleton
+from vecpoly.curves.skeleton import blocks, skeleton
 from vecpoly.curves.trace import trace
 from vecpoly.curves.turning import turning
 from vecpoly.cycle import cycle
 from vecpoly.drawing.scene import TextBox
 from vecpoly.figures.hue import Hue
 from vecpoly.problem.load import load, loads
+from vecpoly.report.flow.style import CAPTION
 
 X = np.linspace(0.0, 360.0, 721)
 
@@ -190,3 +191,18 @@ def test_graphs_under_each_other_have_one_left_edge() -> None:
     turn = cycle(load("3-5").mechanism)
     lefts = [curves(turn, (key,), "zh").figure.axes[0].get_position().x0 for key in ("phi_3", "omega_3", "alpha_3")]
     assert max(lefts) - min(lefts) < 1e-9
+
+
+def test_a_block_is_drawn_on_its_pivot_and_an_offset_rod_beside_its_pin() -> None:
+    turn = cycle(load("swinging-block-offset-rod"))
+    phi = np.array([turn.mech.drive.position])
+    (block,) = blocks(turn, float(phi[0]))
+    assert block.at == pytest.approx(100.0)
+    rod = next(line[:, 0] for line in skeleton(turn, phi) if len(line) == 3)
+    assert abs(rod[1] - rod[0]) == pytest.approx(20.0)
+    assert abs(((rod[2] - rod[1]) * np.conj(rod[1] - rod[0])).real) < 1e-6 and rod[2] == pytest.approx(100.0)
+    assert abs((block.along * np.conj(rod[2] - rod[1])).imag) < 1e-9
+
+
+def test_the_title_of_an_axis_is_no_larger_than_a_caption() -> None:
+    assert style.TICK <= style.LABEL <= CAPTION.em

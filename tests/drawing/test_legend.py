@@ -7,7 +7,7 @@ from itertools import combinations
 
 import pytest
 
-from tests.drawn_library import drafted
+from tests.drawn_library import drafted, drawn
 from tests.drawn_sheets import laid
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Mark, Vector, Weld
@@ -17,7 +17,7 @@ from vecpoly.drawing.legend.kinds import FOUND, KINDS, KNOWN
 from vecpoly.drawing.legend.legend import band, blocks, cells, entries
 from vecpoly.drawing.legend.on_sheet import with_legend
 from vecpoly.drawing.legend.vectors import _symbol, key_of_vectors
-from vecpoly.drawing.scene import Rect, Scene, Stroke, TextBox, rect_of
+from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke, TextBox, rect_of
 from vecpoly.drawing.sheets.sheet import Sheet
 from vecpoly.drawing.sheets.space import FRAME, STRIP
 from vecpoly.drawing.style import THIN, Hue
@@ -150,3 +150,12 @@ def test_samples_and_words_of_a_legend_overlap_nowhere() -> None:
         assert not any(a.overlaps(b) for n, a in enumerate(texts) for b in texts[:n])
         assert not any(a.overlaps(b) for a in texts for b in samples)
         assert all(r.x0 > 0 and r.x1 < grid.width and r.y0 > 0 and r.y1 < grid.height for r in texts)
+
+
+def test_images_of_velocities_and_of_accelerations_are_shown_in_both_their_tints() -> None:
+    def tints(*views: str) -> int:
+        figures = [one for one in drawn("3-9").construction.figures if one.view.name in views]
+        (entry,) = (one for one in entries(figures, "en") if one.words.en == "image of a link")
+        return len({item.hue for item in entry.sample if isinstance(item, Fill)})
+
+    assert tints("velocity") == tints("acceleration") == 1 and tints("velocity", "acceleration") == 2

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 
 import pytest
+import shapely
 
 from tests.drawing.test_labels import figure
 from tests.drawn_library import drawn
@@ -18,6 +19,7 @@ from vecpoly.board.paper.marks import (
     LinkNumber,
     Mark,
     Passing,
+    Plate,
     Point,
     Role,
     Segment,
@@ -26,12 +28,13 @@ from vecpoly.board.paper.marks import (
 )
 from vecpoly.diagram.owners import FIXED
 from vecpoly.drawing.details.apart import all_detailed
-from vecpoly.drawing.figure import drawing
+from vecpoly.drawing.figure import draw_figure, drawing
 from vecpoly.drawing.labels.want import Thing
-from vecpoly.drawing.scene import Fill, Stroke
+from vecpoly.drawing.scene import Fill, Stroke, TextBox
 from vecpoly.drawing.symbols.angles import draw_angle
 from vecpoly.drawing.symbols.bodies import block_corners
 from vecpoly.drawing.weighing.placed import Placed
+from vecpoly.typeset.box import Glyphs
 
 
 def numbers(*marks: Mark) -> list[Placed]:
@@ -81,7 +84,8 @@ def test_a_block_between_the_links_of_a_mechanism_needs_no_leader_for_its_number
     mechanism = drawn(name).construction.figure(View.MECHANISM)
     assert mechanism is not None
     blocks = {mark.owner for mark in mechanism.marks if isinstance(mark, Block)}
-    numbered = [label for label in drawing(mechanism).labels if label.want.thing is Thing.LINK and label.want.bow]
+    beside = [label for label in drawing(mechanism).labels if label.want.thing is Thing.LINK and label.want.bow]
+    numbered = [label for label in beside if label.want.own[0] != label.want.own[1]]  # in a plate it has its middle
     assert len(numbered) == len(blocks) and all(label.foot is None for label in numbered)
 
 
@@ -144,3 +148,16 @@ def test_the_number_of_a_frame_without_pivots_stands_at_the_hatching_of_its_guid
     for label in labels:
         assert -8.0 < ((label.centre - guide[0]) * along.conjugate()).imag < -1.7
     assert labels
+
+
+def test_the_number_of_a_plate_stands_in_it_and_that_of_a_bar_over_it_beside_it() -> None:
+    figure = next(one for one in drawn("A-27-c").construction.figures if one.view is View.MECHANISM)
+    (plate,) = (mark for mark in figure.marks if isinstance(mark, Plate))
+    shape = shapely.Polygon([(z.real, z.imag) for z in plate.points])
+    boxes = [one for one in draw_figure(figure, lang="en").items if isinstance(one, TextBox)]
+    where = {
+        text: shapely.Point((box.rect.x0 + box.rect.x1) / 2, (box.rect.y0 + box.rect.y1) / 2)
+        for box in boxes
+        if (text := "".join(part.text for part in box.box.items if isinstance(part, Glyphs))) in ("2", "5")
+    }
+    assert shape.contains(where["2"]) and not shape.contains(where["5"])

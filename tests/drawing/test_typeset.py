@@ -55,6 +55,19 @@ def test_words_in_an_index_are_upright_and_letters_of_points_and_quantities_ital
     assert face_of(italic, box) == Face.ITALIC
 
 
+@pytest.mark.parametrize(
+    ("symbol", "upright", "italic"),
+    [("I", "I", ""), ("W_bII", "II", "b"), ("W_bI", "I", "b"), ("F_{I5}", "I", "F"), ("I_1", "1", "I")],
+)
+def test_roman_numbers_and_the_index_of_inertia_are_upright_and_a_point_i_is_italic(
+    symbol: str, upright: str, italic: str
+) -> None:
+    box = layout(sym(symbol), EM)
+    assert any(run.text == upright and run.font == Face.STIX for run in runs(box))
+    assert not italic or face_of(italic, box) == Face.ITALIC
+    assert face_of("I", layout(Sym("II", "", ""), EM)) == Face.STIX
+
+
 def test_a_factor_after_a_number_is_a_quantity_and_no_unit() -> None:
     product = Row((Txt("0.5"), Txt("\u2009"), sym("m"), Txt("\u2009"), sym("v")))
     assert face_of("m", layout(product, EM)) == Face.ITALIC

@@ -112,13 +112,13 @@ def test_a_text_is_set_more_tightly_where_that_brings_a_step_back_that_left_a_ga
 
 def test_a_long_step_is_parted_behind_a_formula_where_it_would_leave_a_hole() -> None:
     doc = laid_out(*lines(20), *step(40), *lines(5))
-    assert isinstance(doc.heads[2], Formula) and doc.filled[0] > 0.9
+    assert isinstance(doc.heads[2], Formula) and doc.filled[0] > 0.87  # whole bands of rows
 
 
 def test_a_table_behind_its_heading_is_parted_where_it_would_leave_a_hole() -> None:
     table = DataTable(["a", "b"], [["1", "2"]] * 20, lang="en")
     doc = laid_out(*lines(20), Heading("Check", 3, "en"), table)
-    assert isinstance(doc.heads[2], DataTable) and doc.filled[0] > 0.9
+    assert isinstance(doc.heads[2], DataTable) and doc.filled[0] > 0.87  # whole bands of rows
 
 
 @pytest.mark.parametrize("height", [215.0, 225.0, 240.0])

@@ -7,12 +7,15 @@ import pytest
 from tests.set_blocks import Paper, pairs, paper_of, remembered
 from tests.texts import ZH, equation
 from vecpoly.algebra.formula import Row, Txt, sym
+from vecpoly.drawing.style import LETTER
 from vecpoly.report.flow import Callout, DataTable, Divider, Drawing, EquationFlow, Formula, Para, TitleBlock, numbered
+from vecpoly.report.flow.base import Tightness
 from vecpoly.report.flow.contents import Contents, Entry, page_form
 from vecpoly.report.flow.cover import Cover
 from vecpoly.report.flow.equation import CAPTIONS
 from vecpoly.report.flow.listing import Listing
-from vecpoly.report.flow.style import BODY, GREY
+from vecpoly.report.flow.style import BODY, CAPTION, GREY
+from vecpoly.report.plates.sketch import LETTERED
 from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
@@ -432,7 +435,7 @@ def test_a_figure_stands_in_the_middle_over_its_caption() -> None:
     where = list[tuple[float, float]]()
     block = Drawing(60, 40, lambda _, x, y: where.append((x, y)), caption="Figure")
     paper = paper_of(block, 100 * MM)
-    assert where == [pytest.approx((20 * MM, block.height - 40 * MM))] and block.height == pytest.approx(40 * MM + 15)
+    assert where == [pytest.approx((20 * MM, block.height - 40 * MM))] and block.height == pytest.approx(40 * MM + 18.5)
     assert paper.piece("Figure").middle == pytest.approx(50 * MM) and 0 < paper.piece("Figure").y < 15 - 9
     bare = Drawing(60, 40, lambda *_: None)
     assert bare.wrap(100 * MM, 1000) == pytest.approx((100 * MM, 40 * MM))
@@ -443,3 +446,19 @@ def test_a_divider_is_a_grey_rule_across_the_column_and_text_is_set_in_its_own_c
     assert paper.called("rect") == [(0.0, 0.0, 300, 0.4)] and paper.called("setFillColorRGB") == [GREY]
     assert paper_of(Para("x", BODY), 300).called("setFillColorRGB") == [BODY.colour]
     assert paper_of(Para("x", BODY), 300).called("setStrokeColorRGB") == [BODY.colour]
+
+
+def test_a_caption_stands_clear_of_its_drawing() -> None:
+    """The hatched ground of a sketch ended a millimetre over it."""
+    where: list[tuple[float, float]] = []
+    block = Drawing(60, 40, lambda _, x, y: where.append((x, y)), caption="Figure")
+    block.wrap(400.0, 400.0)
+    assert block.height - block.size[1] - CAPTION.size >= 2.5 * MM
+
+
+def test_the_letters_of_a_sketch_are_as_large_as_those_of_the_text_on_pages_closed_up_or_opened() -> None:
+    sketch = Drawing(60, 40, lambda *_: None, sketch=True)
+    for figures in (0.7, 1.0, 1.45):
+        sketch.tighten(Tightness(figures=figures))
+        sketch.wrap(400.0, 400.0)
+        assert 9.0 <= LETTERED * LETTER * MM * sketch.height / sketch.size[1] <= 12.5

@@ -16,7 +16,7 @@ from vecpoly.algebra.formula import sym
 from vecpoly.report.answers.line import AnswerLine
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.base import Block
-from vecpoly.report.flow.blocks import Callout, Drawing
+from vecpoly.report.flow.blocks import SMALLEST, Callout, Drawing
 from vecpoly.report.flow.doc import Metadata, ReportDoc
 from vecpoly.report.flow.equation import EquationFlow
 from vecpoly.report.flow.paging.setting import tightened
@@ -72,7 +72,7 @@ def test_a_sketch_is_made_smaller_and_a_figure_of_true_size_is_not() -> None:
         figure = Drawing(60.0, 40.0, lambda canvas, x, y: None, sketch=sketch)
         (small,) = tightened([figure], DEGREES[-1])
         whole, less = figure.wrap(400.0, 600.0)[1], small.wrap(400.0, 600.0)[1]
-        assert less == pytest.approx(whole * (DEGREES[-1].figures if sketch else 1.0))
+        assert less == pytest.approx(whole * (SMALLEST if sketch else 1.0))
 
 
 def test_only_the_part_that_saves_a_page_is_tightened_and_nothing_is_spoilt() -> None:

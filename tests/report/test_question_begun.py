@@ -32,10 +32,11 @@ from vecpoly.figures import View
 from vecpoly.report.document import markup
 from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.question.blanks import empty_table
-from vecpoly.report.question.equation_rows import CELLS, EquationRows, equation_rows
+from vecpoly.report.question.equation_rows import CELLS, SUMMED, EquationRows, equation_rows
 from vecpoly.report.question.framed.blank import framed
 from vecpoly.report.question.framed.fields import FIELDS
 from vecpoly.report.question.framed.frames import frames
+from vecpoly.typeset.box import MM
 
 
 def figure(name: str, view: str, called: str = "") -> Figure:
@@ -138,8 +139,8 @@ def test_the_cells_of_an_equation_do_not_tell_how_many_terms_it_has_nor_its_sign
     """There is a Coriolis term in 3-7a, and none in 3-7d."""
     rows = equation_rows(drawn(name).solution, "en")
     sums = [step.equation for step in drawn(name).construction.steps if step.equation is not None]
-    assert len(rows) == len(sums) and {row.cells for row in rows} == {CELLS}
-    assert max(len(one.symbols) for one in sums) <= CELLS
+    assert len(rows) == len(sums) and {row.cells for row in rows} <= {CELLS, SUMMED}
+    assert all(len(one.symbols) <= row.cells for row, one in zip(rows, sums, strict=True))
     for row in rows:
         printed = printed_words(row)
         assert not re.search(r"[+=]", printed), printed
@@ -151,6 +152,13 @@ def test_an_equation_that_is_longer_than_others_gives_all_of_its_problem_as_many
         len(step.equation.symbols) for step in drawn("three-legged-plate").construction.steps if step.equation
     )
     assert {row.cells for row in rows} == {max(CELLS, longest)}
+
+
+@pytest.mark.parametrize(("name", "cells"), [("3-9", CELLS), ("4-2", SUMMED)])
+def test_a_sign_has_a_column_of_its_own_behind_each_term_which_has_room_for_a_hand(name: str, cells: int) -> None:
+    for row in equation_rows(drawn(name).solution, "en"):
+        row.wrap(COLUMN, 500.0)
+        assert row.cells == cells and row.term >= 15.0 * MM
 
 
 def printed_words(row: EquationRows) -> str:
@@ -191,8 +199,8 @@ def test_an_equation_of_several_solutions_is_told_by_its_solution() -> None:
 
 def test_a_circle_diagram_that_would_need_a_sheet_more_stands_in_the_text() -> None:
     assert "centre polygon" not in {name for _, name in blanks("3-1b")}
-    assert ("mechanism", "centre polygon") in blanks("3-2")
-    for name, shown in (("3-1b", 2), ("3-2", 1)):  # the sketch, and the circle
+    assert ("mechanism", "centre polygon") in blanks("3-1a")
+    for name, shown in (("3-1b", 2), ("3-1a", 1)):  # the sketch, and the circle
         text, _ = markup([drawn(name).solution], "en", "question", {}, None, None)
         assert text.count('<figure ref="pic') == shown
 

@@ -14,12 +14,14 @@ from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import Dot, Note, Point, Segment
 from vecpoly.figures.balancing import HODOGRAPH
+from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.framed.bar import BAR
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.known import begins_at
 from vecpoly.report.question.framed.readings import READ
 from vecpoly.report.question.ruled import named
+from vecpoly.typeset.box import MM
 
 
 @cache
@@ -107,11 +109,11 @@ def test_a_vector_on_the_way_has_cells_for_its_length_and_its_direction() -> Non
 
 
 @each(IDS)
-def test_no_column_of_results_is_for_nothing_and_none_wider_than_a_hand_needs(name: str) -> None:
+def test_no_column_of_results_is_for_nothing_and_the_table_is_as_wide_as_the_squares_over_it(name: str) -> None:
     table = empty_table(drawn(name).solution, "en")
     columns = [*zip(*(row for row in table.rows if not row[0].startswith("**")), strict=True)]
     assert not any(set(column) == {"—"} for column in columns)
-    assert max((table.widths or (0.0,))[1:]) <= 65.0
+    assert sum(table.widths or ()) == pytest.approx(COLUMN / MM)
 
 
 def test_short_groups_of_results_stand_side_by_side_each_under_its_name() -> None:

@@ -12,16 +12,19 @@ from tests.each import Later, each
 from tests.laws import few
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
-from vecpoly.board.paper.marks import Dot, Note, Outline, Point, Segment
+from vecpoly.board.paper.marks import Arc, Dot, Note, Outline, Point, Segment
 from vecpoly.drawing.figure import draw_figure
 from vecpoly.drawing.scene import TextBox
 from vecpoly.drawing.sheets.sheet import Hung
-from vecpoly.figures import View
 from vecpoly.figures.balancing import HODOGRAPH
+from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.framed.aligned import CLOSE, aligned
 from vecpoly.report.question.framed.fields import KEY
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.readings import READ
+from vecpoly.report.statement.asked import asked
+
+Y = "$y$ ="  # the second coordinate of a place
 
 
 @cache
@@ -54,7 +57,7 @@ def test_an_angle_that_is_asked_has_its_degrees_and_no_scale() -> None:
 
 @each(DRAWN)
 def test_a_quantity_has_one_line_in_one_frame(name: str) -> None:
-    names = [text for frame in blank_of(name)[0].figures for text in told(frame) if text.startswith("$")]
+    names = [text for frame in blank_of(name)[0].figures for text in told(frame) if text.startswith("$") and text != Y]
     assert len(names) == len(set(names))
 
 
@@ -68,17 +71,15 @@ def test_a_line_to_write_a_number_on_is_at_least_16_mm_long_and_in_its_frame(nam
 
 
 @each(DRAWN)
-def test_no_pole_stands_nearer_to_an_edge_than_a_sixth_of_its_frame(name: str) -> None:
-    """At an edge it tells to which side its polygon lies; only where one sheet holds the mechanism and all polygons."""
-    blank, pages = blank_of(name)
-    if len(pages) == 1 and any(one.view is View.MECHANISM for one in blank.figures):
-        return
+def test_no_pole_stands_nearer_to_an_edge_than_a_quarter_of_its_frame(name: str) -> None:
+    """At an edge it tells to which side its polygon lies."""
+    blank, _ = blank_of(name)
     for frame in blank.figures:
         for mark in frame.marks[4:]:
             if isinstance(mark, Point) and mark.dot is Dot.POLE and frame.view is not HODOGRAPH:
                 low, high = bounds(frame.marks[:4])
                 across, up = (mark.at - low).real / (high - low).real, (mark.at - low).imag / (high - low).imag
-                assert min(across, 1 - across, up, 1 - up) > 0.13, frame.view  # over it and under it are lines
+                assert min(across, 1 - across, up, 1 - up) > 0.2, frame.view  # over it and under it are lines
 
 
 @each(DRAWN)
@@ -116,15 +117,15 @@ def test_the_outline_of_a_wedge_stands_in_the_middle_of_its_frame() -> None:
         shapes = [mark for mark in frame.marks if isinstance(mark, Outline)]
         if shapes and not told(frame):
             (low, high), (start, end) = bounds(shapes), bounds(frame.marks[:4])
-            assert abs(low + high - start - end) < 2.0
+            assert abs(low + high - start - end) < 8.0  # a few millimetres, where the forces need the room
 
 
 def test_a_polygon_of_couples_has_a_line_for_its_equation_though_that_has_no_number() -> None:
     frame = next(one for one in blank_of("6-4")[0].figures if one.view.name == "couples")
-    assert [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY] == ["Vector equation:"]
+    assert [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY] == ["Equation:"]
 
 
-@pytest.mark.parametrize("name", ["3-7b"])
+@pytest.mark.parametrize("name", ["3-5"])
 def test_the_number_of_an_equation_and_the_word_before_the_readings_stand_on_one_level(name: str) -> None:
     """Too near to each other, one of them was set 2 mm higher."""
     levels = 0
@@ -140,3 +141,35 @@ def test_the_number_of_an_equation_and_the_word_before_the_readings_stand_on_one
             assert heights["Equation"] == pytest.approx(heights["Readings"], abs=0.1)
             levels += 1
     assert levels
+
+
+def test_each_instant_centre_that_is_asked_has_a_line_for_both_of_its_coordinates() -> None:
+    frame = next(one for one in blank_of("3-1f")[0].figures if told(one))
+    assert told(frame) == [text for n in ("12", "13", "23") for text in (f"$P_{{{n}}}$: $x$ =", Y, "mm")]
+
+
+def test_the_circle_between_whose_numbers_centres_are_found_is_50_mm_wide_in_its_frame() -> None:
+    frame = next(one for one in blank_of("3-1f")[0].figures if one.name)
+    assert [mark.radius for mark in frame.marks if isinstance(mark, Arc)] == [pytest.approx(25.0)]
+
+
+@pytest.mark.parametrize("name", ["K-crank-rocker-BC", "K-crank-rocker-AD", "8-15"])
+def test_nothing_on_a_question_sheet_tells_that_there_is_a_second_solution(name: str) -> None:
+    solution, frames_ = drawn(name).solution, blank_of(name)[0].figures
+    assert "^{(2)}" not in asked(solution, "en") and "if there is one" in asked(solution, "en")
+    heads = [row[0] for row in empty_table(solution, "en").rows if row[0].startswith("**Solution 2")]
+    assert heads == ["**Solution 2 (if there is one)**"]
+    for frame in frames_:
+        own = "solution 2" in frame.title.en
+        assert not own or frame.title.en.endswith("if there is one)")
+        assert own or not any("(2)" in text for text in told(frame))
+
+
+def test_a_problem_that_says_how_many_solutions_it_has_asks_for_them_by_number() -> None:
+    assert "^{(1)}" in asked(drawn("8-4").solution, "en") and "^{(2)}" in asked(drawn("8-4").solution, "en")
+
+
+def test_places_alone_have_a_table_with_a_column_for_each_coordinate() -> None:
+    table = empty_table(drawn("3-1f").solution, "en")
+    assert list(table.header) == ["Quantity", "$x$ /mm", "$y$ /mm"]
+    assert [row[0] for row in table.rows] == ["$P_{12}$", "$P_{13}$", "$P_{23}$"]

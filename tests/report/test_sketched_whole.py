@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 
+import pytest
+
 import vecpoly
 from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from tests.report.test_statement_figures import letters, pictured, plain
-from vecpoly.board.paper.marks import AngleMark, Dot, Point, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Dot, GearMark, Point, Role, Segment, Vector
 from vecpoly.designs.base import Design
 from vecpoly.designs.inversion.cognates import Cognates
 from vecpoly.designs.inversion.positions import Positions
+from vecpoly.devices.dynamics.reduced import ReducedTrain
 from vecpoly.report.picture import picture
 
 PLACED = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Positions)])
@@ -86,3 +89,38 @@ def test_a_face_that_all_but_passes_its_pivot_has_no_way_d_to_be_told_on_the_ske
         problem = vecpoly.loads(re.sub(r"face: [^,}]*", f"face: {face}", text))
         drawn = picture(problem, problem.solve(by="exact").construction, 90.0, 60.0)
         assert drawn is not None and any(getattr(mark, "label", "") == "d" for mark in drawn.marks) is told
+
+
+@pytest.mark.parametrize(
+    ("name", "pins", "sizes"),
+    [
+        ("8-3a", "ABCD", {"l_AB", "l_BC", "l_CD", "l_AD"}),
+        ("8-3b", "ABC", {"l_AB", "l_BC", "e"}),
+        ("8-3c", "ABC", {"l_AB", "l_AC"}),
+    ],
+)
+def test_a_linkage_whose_limits_are_sought_is_sketched_between_them(name: str, pins: str, sizes: set[str]) -> None:
+    shown = pictured(name)
+    assert shown is not None and {*pins} <= letters([shown]) and sizes <= letters([shown])
+    assert not {"φ_1", "ω_1"} & letters([shown])
+    at = {mark.label: mark.at for mark in shown.marks if isinstance(mark, Point)}
+    crank = at["B"] - at["A"]
+    others = [at[pin] - at["B"] for pin in pins[2:]]
+    assert all(abs((crank.conjugate() * other).imag) > 0.2 * abs(crank) * abs(other) for other in others)
+
+
+@pytest.mark.parametrize("name", ["hoist", "7-2a", "7-3"])
+def test_pitch_circles_that_mesh_touch_on_the_sketch_of_a_train(name: str) -> None:
+    """As large as their teeth tell: a least radius made wheels of 20 and 80 teeth overlap."""
+    shown = pictured(name)
+    subject = drawn(name).problem.subject
+    assert shown is not None and isinstance(subject, ReducedTrain)
+    wheels = {(m.centre.real, m.centre.imag, m.radius) for m in shown.marks if isinstance(m, GearMark)}
+    for pair in subject.pairs:
+        if not pair.belt:
+            share = pair.sizes[0] / pair.sizes[1]
+            assert any(
+                abs(abs(complex(a, b) - complex(x, y)) - r - s) < 1e-3 and abs(r / s - share) < 1e-3
+                for a, b, r in wheels
+                for x, y, s in wheels
+            )

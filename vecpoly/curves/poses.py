@@ -18,7 +18,7 @@ from . import style
 from .flat import plane, told_station
 from .place import Placer, Points
 from .plot import Plot
-from .skeleton import skeleton
+from .skeleton import blocks, skeleton
 
 COUNT = 4  # positions: more lie over each other
 _OWN = style.Pen(Dash.FULL, Hue.BLACK, 1.4 * GIVEN)
@@ -37,7 +37,10 @@ def poses(cycle: Cycle, letter: str, lang: Lang = "zh", *, width: float = 150.0,
             style.line(at, line[:, k].real, line[:, k].imag, style.Pen(Dash.FULL, hue, 1.3 * THIN))
     for line in own:
         style.line(at, line.real, line.imag, _OWN)
+    slid = [*blocks(cycle, cycle.mech.drive.position)]
+    style.blocks(at, slid, _OWN)
     placer = Placer(at, [*own, *(line[:, k] for line in lines for k in range(line.shape[1]))])
+    placer.keep_clear(np.array([one.at for one in slid]), style.BLOCK.real / 2)
     _letters(cycle, at, letter, placer, (low + high) / 2)
     pin = _turned(cycle) or letter
     _angles(cycle, at, pin, phi, placer)

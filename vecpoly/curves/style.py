@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Polygon, Rectangle
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
 
 from ..drawing.style import GIVEN, THIN, Dash, Hue
@@ -17,11 +17,12 @@ from ..typeset import layout_words
 from .record import DPI, MM
 
 WIDTH, PANEL = 150.0, 62.0  # mm
-TICK, LABEL = 3.1, 3.6  # em of the lettering, mm
+TICK, LABEL = 2.9, 3.15  # em of the lettering, mm: titles of axes as large as captions
 _TICK_ROOM = 7.5  # mm from one number of an axis to the next, at the least
 EDGE = 0.25  # mm: what stays of the ground inside the frame
 RIGHT, TOP, FOOT = 7.0, 9.0, 10.2  # margins, mm
 UNDER = 1.8  # mm from the lower edge to the title of the x axis, which stands close under its numbers
+BLOCK = complex(5.6, 3.4)  # mm
 LEFT = 16.0  # mm: what all numbers of a y axis have, so that graphs under each other have one left edge
 
 
@@ -112,7 +113,27 @@ def dots(at: Any, x: Any, y: Any, hue: Hue, size: float = 1.0, hollow: bool = Fa
         markeredgecolor=hue.value,
         markeredgewidth=0.2 * MM,
         clip_on=False,
+        zorder=2.6,
     )
+
+
+def blocks(at: Any, places: Iterable[tuple[complex, complex]], pen: Pen) -> None:
+    """The blocks of sliding joints: white, each of one size on paper; the middle (data) and which way it slides."""
+    a, b = (complex(*at.transData.transform(spot)) for spot in ((0.0, 0.0), (1.0, 0.0)))
+    for middle, along in places:
+        half = along / abs(b - a)
+        ends = [
+            middle + half * complex(x * BLOCK.real, y * BLOCK.imag) / 2 for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        ]
+        at.add_patch(
+            Polygon(
+                [(z.real, z.imag) for z in ends],
+                facecolor=Hue.WHITE.value,
+                edgecolor=pen.hue.value,
+                linewidth=pen.width * MM,
+                zorder=2.5,
+            )
+        )
 
 
 def _within(values: Any, low: float, high: float) -> Any:

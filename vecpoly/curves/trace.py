@@ -17,7 +17,7 @@ from . import style
 from .flat import mark_stations, plane
 from .place import Placer
 from .plot import Plot
-from .skeleton import skeleton
+from .skeleton import blocks, skeleton
 
 LINKS = style.Pen(Dash.FULL, Hue.GREY, THIN)
 
@@ -44,12 +44,15 @@ def trace(
     figure, at = plane(low, high, width, height, (style.axis_label("x", "mm"), style.axis_label("y", "mm")))
     for line in lines:
         style.line(at, line.real, line.imag, LINKS)
+    slid = [*blocks(cycle, cycle.mech.drive.position)]
+    style.blocks(at, slid, LINKS)
     for path, pen in zip(paths, style.PENS, strict=False):
         once = _once(path) if _swept_twice(path) else path
         style.line(at, once.real, once.imag, pen)
     placer = Placer(at, [*paths, *lines])
     letters = _joints(cycle, at, points)
     placer.keep_clear(np.array(list(letters.values())), 0.9)
+    placer.keep_clear(np.array([one.at for one in slid]), style.BLOCK.real / 2)
     for letter, place in letters.items():
         placer.put(place, f"${subscripted(letter)}$", place - (low + high) / 2, style.LABEL)
     mark_stations(cycle, at, placer, f"p_{points[0]}", 1e3, style.PENS[0].hue)

@@ -44,3 +44,10 @@ def places(study: Study, found: Extremes, spot: Spot) -> Words:
     every = list(dict.fromkeys(study.where(s.phi) for s in alike(study, found, spot)))
     told = [every[0], *(place.split(" = ")[1] for place in every[1:])]
     return Words("、".join(told), " and ".join(told))
+
+
+def dead_points(study: Study) -> Words:
+    """Where the drive stands at its dead points, beyond the working range: $φ_1$ = −129.8° and 129.8°."""
+    told = [study.where(spot.phi) for spot in study.facts.dead]
+    listed = [*told[:1], *(place.split(" = ")[1] for place in told[1:])]
+    return Words("、".join(listed), " and ".join(listed))

@@ -34,7 +34,7 @@ from .identity import identity
 from .lines import lines_table
 from .picture import diagram, to_scale
 from .plates.page import sheet_page
-from .plates.sketch import sketch_of
+from .plates.sketch import LETTERED, sketch_of
 from .printed_tables import printed_tables
 from .question.content import question
 from .question.framed.frames import frames
@@ -51,8 +51,8 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
 }
 _SOLVED = Words("解答（solve 的结果）", "a solution, as solve gives it,")
 STYLES = ("solution", "question", "course")
-PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
-ALONE = (140.0, 85.0)  # mm: where no sheet follows, on which it would be larger
+PICTURE = (125.0 / LETTERED, 62.0 / LETTERED)  # mm: room for the mechanism beside the statement
+ALONE = (140.0 / LETTERED, 85.0 / LETTERED)  # mm: where no sheet follows, on which it would be larger
 
 
 def write_report(

@@ -129,6 +129,18 @@ def curved(named: Key, lang: Lang) -> str:
     return words.zh if lang == "zh" else f"the {words.en} "
 
 
+def counted_from(problem: Problem, key: str) -> Words | None:
+    """From which line the angle of a counterweight counts, counter-clockwise; None of any other quantity."""
+    if problem.counterweights is None or not key.startswith("theta_c"):
+        return None
+    number = problem.mechanism.number
+    mount = next((one for one in problem.counterweights.mounts if f"theta_c{number(one.link)}" == key), None)
+    if mount is None:
+        return None
+    line = f"${mount.outlets[0].point}{mount.towards}$"
+    return Words(f"自 {line} 逆时针", f"counter-clockwise from {line}")
+
+
 def direction_of_load(problem: Problem, key: str) -> float | None:
     """The fixed direction (rad) of a force asked by its size: the sign of the size is along it."""
     if problem.loads is None:

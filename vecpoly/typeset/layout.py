@@ -48,7 +48,8 @@ def _sym(node: Sym, em: float, bold: bool, arrow: bool = False) -> Box:
     bare = node.base.rstrip("′'")
     if bare != node.base and node.sub and not node.sup and not arrow:  # R′_21: index under the prime
         return _sym(Sym(bare, node.sub, node.base[len(bare) :]), em, bold)
-    base = letters(node.base, em, bold)
+    alone = node.base == "I" and not node.sub and not node.sup  # a plane, a shaft; a point I has a number or a prime
+    base = run("I", roman_or_italic(False, bold), em) if alone else letters(node.base, em, bold)
     slope = _overhang(node.base, em, bold)
     if arrow:
         base = _arrow(base, node.base, em, bold)

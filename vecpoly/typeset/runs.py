@@ -69,6 +69,8 @@ def letters(text: str, em: float, bold: bool) -> Box:
     """Symbols' letters: Latin and Greek italic; digits, primes and everything else upright."""
     parts: list[tuple[float, float, Box]] = []
     x = 0.0
+    if NUMBERED.match(text):
+        return run(text, roman_or_italic(False, bold), em)
     for italic, piece in _by_slope(text.translate(SHOWN).replace("′′′", "‴").replace("′′", "″")):
         below = piece[0] in DIGITS  # O₁ in an index: the figure hangs under its letter
         box = run(piece.translate(ON_LINE), roman_or_italic(italic, bold), em * SCRIPT if below else em)
@@ -77,11 +79,16 @@ def letters(text: str, em: float, bold: bool) -> Box:
     return place(parts, x) if len(parts) != 1 else parts[0][2]
 
 
-WORD = pattern(r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])")
+WORD = pattern(
+    r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])"
+    r"|II+|I?V(?=I)I+|IV|(?:^|(?<=[a-z]))I(?![A-Z])"
+)
+NUMBERED = pattern(r"^(?:II+|IV|VI+)$")  # a plane, a shaft, a group
 
 
 def index(text: str, em: float, bold: bool) -> Box:
-    """The letters of an index: words (max, min, rim) are upright, what stands for a quantity or a point is italic."""
+    """The letters of an index: words (max, min, rim), Roman numbers and the I of inertia are upright, what stands for a
+    quantity or a point is italic."""
     parts, end = list[Box](), 0
     for found in WORD.finditer(text):
         parts += [letters(text[end : found.start()], em, bold)] if found.start() > end else []

@@ -34,7 +34,7 @@ def scaled(problem: Problem, drawn: Construction) -> Problem | None:
     """The problem with round scales at which every figure fits its frame; None where one that is given does not."""
     scales = problem.scales
     for view in FRAMED:
-        figures = [figure for figure in drawn.figures if figure.view is view and not figure.aside]
+        figures = [one for one in drawn.figures if one.view is view and not one.aside and one.scale.symbol]
         if not figures:
             continue
         fullest = max(figures, key=filled)
@@ -47,8 +47,10 @@ def scaled(problem: Problem, drawn: Construction) -> Problem | None:
 
 
 def on_sheet(figures: Iterable[Figure]) -> tuple[Figure, ...]:
-    """The figures that get a frame on the question sheet: those whose scales were chosen for it, others if they fit."""
-    return tuple(figure for figure in figures if not figure.aside and (figure.view in FRAMED or _fits(figure)))
+    """The figures that get a frame on the question sheet: those whose scales were chosen for it, others if they fit; no
+    sketch, which has no scale."""
+    drawn = (figure for figure in figures if not figure.aside and figure.scale.symbol)
+    return tuple(figure for figure in drawn if figure.view in FRAMED or _fits(figure))
 
 
 def _fits(figure: Figure) -> bool:

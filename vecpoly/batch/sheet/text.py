@@ -50,7 +50,7 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
         **beside_tables(solution, lang),
         "blanks": [objects.add("eq", _emptied(table, n)) for n, table in enumerate(tables, 1)],
         "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
-        "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
+        "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
     return worked(paged(to_flowables(xml, objects.named, lang)), working_room(solution))

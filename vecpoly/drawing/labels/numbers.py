@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Sequence
 from itertools import pairwise
 from math import tau
 
-from ...board.paper.marks import Block, Disc, Dot, GearMark, LinkNumber, Mark, Passing, Point
+from ...board.paper.marks import Block, Disc, Dot, GearMark, LinkNumber, Mark, Passing, Plate, Point
 from ...foundation.slotted import replace
 from ..style import RESULT
 from ..symbols.bodies import block_corners
@@ -16,6 +17,7 @@ from .want import Piece, Thing, Want
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 RINGS, AROUND = (0.6, 1.0), 12  # of the radius of a disc at which its number may stand, and where about its centre
 FIRST, CHORDS, SMALL = 0.625, 36, 5.0  # of a turn: where the number of a wheel stands first; points of its rim; mm
+_ROOM, _ASIDE = 5.0, 0.35  # mm from the middle of a plate to its sides, for a number; of the way to a corner
 ON = 0.3  # mm: a joint so near to a bar, as an unsteady hand finds it, lies on it
 
 
@@ -35,9 +37,12 @@ def under(a: complex, b: complex, deep: float, piece: Piece) -> Want:
 
 
 def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:
-    """The number of a link: of a block beside its outline, of a disc in it or at its rim, of a bar beside its longest
-    piece between two joints."""
+    """The number of a link: of a block beside its outline, of a disc in it or at its rim, of a plate in it, of a bar
+    beside its longest piece between two joints, not where that runs over the plate of another link."""
     a, b = mark.a, mark.b
+    plates = [m for m in marks if isinstance(m, Plate)]
+    if (own := next((m for m in plates if m.owner == mark.owner and _is_roomy(m)), None)) is not None:
+        return _in_plate(own, piece)
     if abs(b - a) < NEAR:
         discs = (m for m in marks if isinstance(m, Disc) and m.owner == mark.owner and abs(m.centre - a) > NEAR)
         if (disc := next(discs, None)) is not None:
@@ -51,7 +56,7 @@ def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep
     ends = sorted({0.0, 1.0, *_joints_between(a, b, marks)})
     start, end = max(pairwise(ends), key=lambda part: part[1] - part[0])
     want = along_line(a + (b - a) * start, a + (b - a) * end, keep, (piece,), Thing.LINK)
-    return replace(want, own=(a, b))
+    return replace(_off_plates(want, [m for m in plates if m.owner != mark.owner]), own=(a, b))
 
 
 def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[float]:
@@ -63,6 +68,13 @@ def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[flo
             if abs(along.imag * (b - a)) < ON and ON < along.real * abs(b - a) < abs(b - a) - ON:
                 found.append(along.real)
     return found
+
+
+def _in_plate(plate: Plate, piece: Piece) -> Want:
+    """First of all in its middle."""
+    feet = _feet_in(plate)
+    rim = (*plate.points, plate.points[0])
+    return Want((piece,), feet, (0j,) * len(feet), 0.0, (feet[0], feet[0]), thing=Thing.LINK, bow=rim)
 
 
 def _in_disc(disc: Disc, at: complex, piece: Piece) -> Want:
@@ -91,3 +103,44 @@ def _beside_block(block: Block, piece: Piece) -> Want:
     corners = block_corners(block)
     outline = (*corners, corners[0])
     return Want((piece,), corners, (0j,) * 4, RESULT / 2, (corners[0], corners[1]), thing=Thing.LINK, bow=outline)
+
+
+def _is_roomy(plate: Plate) -> bool:
+    """Whether a number has room in its middle."""
+    middle = _middle(plate)
+    return len(plate.points) > 2 and all(_gap(middle, a, b) >= _ROOM for a, b in _sides(plate))
+
+
+def _feet_in(plate: Plate) -> tuple[complex, ...]:
+    """The places for a number in a plate: its middle, then towards its corners."""
+    middle = _middle(plate)
+    return middle, *(middle + _ASIDE * (corner - middle) for corner in plate.points)
+
+
+def _off_plates(want: Want, plates: Sequence[Plate]) -> Want:
+    """The places beside a bar where it does not run over one of these plates; all, where it does everywhere."""
+    free = [not any(_holds(plate, foot) for plate in plates) for foot in want.feet]
+    if all(free) or not any(free):
+        return want
+    places = [*zip(want.feet, want.normals, strict=True)]
+    kept = [place for place, is_free in zip(places, free, strict=True) if is_free]
+    return replace(want, feet=tuple(foot for foot, _ in kept), normals=tuple(normal for _, normal in kept))
+
+
+def _middle(plate: Plate) -> complex:
+    return sum(plate.points) / len(plate.points)
+
+
+def _sides(plate: Plate) -> list[tuple[complex, complex]]:
+    return [*zip(plate.points, (*plate.points[1:], plate.points[0]), strict=True)]
+
+
+def _gap(at: complex, a: complex, b: complex) -> float:
+    """From a place to the line through two corners."""
+    return abs(((at - a) * (b - a).conjugate()).imag) / (abs(b - a) or 1.0)
+
+
+def _holds(plate: Plate, at: complex) -> bool:
+    """Whether a place lies in a plate whose outline is convex."""
+    turns = [((b - a).conjugate() * (at - a)).imag for a, b in _sides(plate)]
+    return len(turns) > 2 and (min(turns) > 0 or max(turns) < 0)

@@ -68,7 +68,7 @@ def side_by_side(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
     for figure in figures:
         if beside(figure.view, figure.marks) is not figure.marks:
             pair = tuple(Vector(a=1j * y, b=WIDE + 1j * y, role=Role.RESULT) for y in (ASIDE / 2, -ASIDE / 2))
-            words = Words("并排的矢量实际共线", "side by side: on one line")
+            words = Words("并排的矢量实际共线", "drawn side by side, in fact collinear")
             yield Entry(drawn_as_on(figure, pair, lang, black=True), words)
             return
 

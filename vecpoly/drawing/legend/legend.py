@@ -13,6 +13,7 @@ from ...words import Lang, Words
 from ..scene import Item, TextBox, moved
 from ..style import NOTE
 from .entry import HALF, WIDE, Entry
+from .images import tinted
 from .kinds import FOUND, KNOWN, kinds_met, side_by_side
 from .letters import letters_met
 from .vectors import key_of_vectors
@@ -48,7 +49,7 @@ class Grid:
 
 def entries(figures: Sequence[Figure], lang: Lang) -> tuple[Entry, ...]:
     """What a legend of these figures explains; nothing where all is plain."""
-    kinds = [*kinds_met(figures, lang)]
+    kinds = tinted([*kinds_met(figures, lang)], figures, lang)
     both = {KNOWN.words, FOUND.words} <= {one.words for one in kinds}
     kept = [one for one in kinds if both or one.words not in (KNOWN.words, FOUND.words)]
     found = (*key_of_vectors(figures, lang), *side_by_side(figures, lang), *letters_met(figures, lang), *kept)

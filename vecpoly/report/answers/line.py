@@ -14,7 +14,17 @@ from ...printed.units import printed_unit
 from ...problem.problem import Problem
 from ...solution import YES_NO, Answer, Solution, told_short
 from ...words import Lang, Words
-from ..values import called, class_told, direction_of_load, is_class, is_efficiency, is_worded, unit_after, value
+from ..values import (
+    called,
+    class_told,
+    counted_from,
+    direction_of_load,
+    is_class,
+    is_efficiency,
+    is_worded,
+    unit_after,
+    value,
+)
 from .notes import COARSE, INSTEAD, UNREADABLE, error_of, remark_of, stands_still
 
 SQUARE = {"0.0°": "→", "90.0°": "↑", "180.0°": "←", "270.0°": "↓"}
@@ -134,6 +144,8 @@ def _direction(answer: Answer, problem: Problem, lang: Lang) -> str:
         return "" if answer.direction is None else _pointing(answer.direction)
     if (fixed := direction_of_load(problem, answer.key)) is not None and answer.drawn:
         return _pointing(degrees(fixed))
+    if (line := counted_from(problem, answer.key)) is not None:
+        return line.of(lang)
     if answer.along is not None:
         return answer.along.of(lang)
     return _TURNS[answer.sense].of(lang) if answer.sense else ""

@@ -16,7 +16,7 @@ from .numbering import TINY, Press
 from .one_language import in_one_language
 from .results.circling import circling
 from .results.tabled import tabled
-from .statement import every_datum
+from .statement import every_datum, in_words
 
 _COLUMNS, _FEW = 11, 25  # of a table; rows that are all told
 _RATES = {"p": Words("位置", "position"), "v": Words("速度", "velocity"), "a": Words("加速度", "acceleration")}
@@ -28,6 +28,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     text = study.problem.text
     return {
         "given": every_datum(study, press),
+        "words": in_words(study, press),
         "file": press.objects.add("listing", Listing(in_one_language(text, press.lang))) if text else "",
         "several": "extends:" in text,
         "tables": list(_tables(study, press)),

@@ -27,6 +27,7 @@ _LISTED, _DRAWN = (
     Words("曲线见{}。", "The curves are drawn in {}."),
 )
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
+_WHOLE, _WHITE = 20, 145.0  # rows of a table that rather leaves so much white (pt) than is parted
 TINY = Style(size=8.5, leading=9.0, after=0.0, align="left")
 
 
@@ -92,6 +93,7 @@ class Press:
         align = "".join(align[i] for i in kept)
         caption = self._caption(_TABLE, "table", title)
         made = DataTable(header, rows, None, align, lang=self.lang, caption=caption.text, style=style)
+        made.undivided = _WHITE if len(rows) <= _WHOLE else 0.0
         return self._kept("tab", made, caption)
 
     def _kept(self, prefix: str, thing: object, *captions: _Caption) -> str:

@@ -77,6 +77,13 @@ def every_datum(study: Study, press: Press) -> str:
     return _data(rows, press) if rows else ""
 
 
+def in_words(study: Study, press: Press) -> str:
+    """What the problem gives beside that table: the fixed points, and what takes words."""
+    told = [datum.of(press.lang) for datum in study.problem.given.data if _parts(datum, press) is None]
+    every = [pivots(study.mech).of(press.lang), *map(shortened, told)] if study.mech.frame else [*map(shortened, told)]
+    return ("，" if press.lang == "zh" else ", ").join(every)
+
+
 def _data(rows: list[tuple[str, str, str]], press: Press) -> str:
     """The table of many numbers, in as many blocks as it fills."""
     blocks = next(n for n in (3, 2, 1) if n == 1 or len(rows) >= n * _FEW)

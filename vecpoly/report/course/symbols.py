@@ -6,12 +6,14 @@ from collections.abc import Iterable
 
 from ...findings.study.study import Study
 from ...words import Words
+from ..flow.style import Style
 from ..flow.table import DataTable
 from . import symbol_rows
-from .numbering import TINY, Press
+from .numbering import Press
 from .spoken_symbols import COUNTED, Row, used
 
 _HEADER = {"zh": ["符号", "含义", "单位"], "en": ["Symbol", "Meaning", "Unit"]}
+_SET = Style(size=9.0, leading=10.0, after=0.0, align="left")
 _KINDS = (  # by their units: lengths, angles, velocities, accelerations, masses, forces and moments, energies, ratios
     ("mm", "m"),
     ("°",),
@@ -31,11 +33,10 @@ def symbols(study: Study, press: Press, told: str = "") -> str:
         for symbol, words, unit in rows_of(study, told)
     ]
     half = (len(listed) + 1) // 2
-    rows = [(*one, *two) for one, two in zip(listed[:half], [*listed[half:], ("", "", "")][:half], strict=True)]
-    caption = Words("主要符号", "Symbols").of(press.lang)
-    return press.objects.add(
-        "tab", DataTable(_HEADER[press.lang] * 2, rows, None, "llc" * 2, lang=press.lang, caption=caption, style=TINY)
-    )
+    rows = [(*one, "", *two) for one, two in zip(listed[:half], [*listed[half:], ("", "", "")][:half], strict=True)]
+    caption, head = Words("主要符号", "Symbols").of(press.lang), _HEADER[press.lang]
+    table = DataTable([*head, "", *head], rows, None, "llc" + "c" + "llc", lang=press.lang, caption=caption, style=_SET)
+    return press.objects.add("tab", table)
 
 
 def rows_of(study: Study, told: str) -> list[Row]:

@@ -19,7 +19,8 @@ from .cells import cells, joined
 from .para import Para
 from .style import CAPTION, GREY, HEADINGS, Colour, Style
 
-SMALLEST = 0.8  # of a sketch that is fitted into what a page has left
+SMALLEST, LARGEST = 0.85, 1.15  # of a sketch on a page that is closed or opened up: its letters stay near those of text
+_UNDER = 5.5  # pt between a drawing and the line of its caption
 Draw = Callable[[Any, float, float], None]
 
 KINDS: dict[str, Colour] = {
@@ -128,7 +129,7 @@ class Drawing(Block):
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""
         self.width = max(width, self.size[0])
-        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + 2.0 if self._caption else 0.0)
+        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + _UNDER if self._caption else 0.0)
         return width, self.height
 
     def draw(self) -> None:
@@ -153,7 +154,7 @@ class Drawing(Block):
     def tighten(self, degree: Tightness) -> None:
         """A sketch, which is not to scale, is drawn smaller too."""
         super().tighten(degree)
-        self._factor = degree.figures if self._sketch else 1.0
+        self._factor = min(max(degree.figures, SMALLEST), LARGEST) if self._sketch else 1.0
 
     def fitted(self, room: float) -> Drawing | None:
         """Itself where there is room for so many points, a sketch a little smaller; None where that will not do."""

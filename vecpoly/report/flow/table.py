@@ -27,6 +27,7 @@ from .text.breaks import Line, break_lines
 from .text.continued import CONTINUED, continued
 
 PAD, _VERTICAL = 1.5, 1.6  # mm at either side of a cell, pt above and below a row
+_APART = 6.0  # mm between the halves of a table
 _HEAVY, _FINE = 0.9, 0.45  # pt
 _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"}
 
@@ -76,7 +77,7 @@ class DataTable(Block):
         self.groups = tuple(groups) or ("",) * len(self.rows)
         self.widths = tuple(widths) if widths is not None else None
         self.whole = False  # rather goes to the next page than leaves only a few rows here
-        self.undivided = False  # rather goes to the next page than is parted
+        self.undivided = 0.0  # pt that it rather leaves white, going to the next page, than is parted
         self.align = (align + "c" * len(self.header))[: len(self.header)]
         self._vertical = _VERTICAL
         self._found: dict[float, _Set] = {}  # by width of the column; one for the table and all its copies
@@ -112,15 +113,18 @@ class DataTable(Block):
     def _measured(self, found: _Set) -> _Set:
         caption = CAPTION.leading + 2.0 if self.caption or self._continued else 0.0
         top = caption + _HEAVY + self._height(found.head) + _FINE
-        return replace(found, top=top, heights=tuple(map(self._height, found.body)))
+        heights = (self._height(row) + self._ruling.white(self._before, n) for n, row in enumerate(found.body))
+        return replace(found, top=top, heights=tuple(heights))
 
     def _points(self, rows: Sequence[Sequence[str]]) -> Columns:
         return aligned_columns(rows, self.align, self.groups, self.style.em, self.lang == "zh")
 
     def _columns(self, width: float, rows: Sequence[Sequence[Sequence[Cell]]], points: Columns) -> tuple[float, ...]:
         em = self.style.em
+        every = zip(*(self.header, *self.rows), strict=True)
+        blank = [0.0 if any(column) else _APART - 2 * PAD for column in every]
         wanted = self.widths or tuple(
-            max(*(joined(row[i], em).width for row in rows), *(one.width for one in column or ())) + 2 * PAD
+            max(*(joined(row[i], em).width for row in rows), *(one.width for one in column or ()), blank[i]) + 2 * PAD
             for i, column in enumerate(points)
         )
         total = sum(wanted)
@@ -146,7 +150,7 @@ class DataTable(Block):
 
     def split(self, width: float, height: float) -> list[Flowable]:
         """Whole rows to each page, the header on both."""
-        if self.undivided and len(self.rows) <= _PAGE_ROWS:
+        if height < self.undivided and len(self.rows) <= _PAGE_ROWS:
             return []
         found = self.set_in(width)
         used, count = found.top + _HEAVY, 0
@@ -154,6 +158,7 @@ class DataTable(Block):
             used += found.heights[count]
             count += 1
         count = min(count, len(self.rows) - _LEAST_ROWS)  # no row less than fit, beyond what goes on must have
+        count = self._ruling.before(self._before + count, self._before + _LEAST_ROWS) - self._before
         if count < (_MANY_ROWS if self.whole else _LEAST_ROWS):
             return []
         head, tail = (self._part(*ends, width, found) for ends in ((0, count), (count, len(self.rows))))
@@ -189,6 +194,7 @@ class DataTable(Block):
         y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
         y = self._rule(ink, left, y, width, _FINE)
         for n, (row, texts) in enumerate(zip(found.body, self.rows, strict=True)):
+            y -= self._ruling.white(self._before, n)
             if n and self._ruling.over(self._before + n, texts):
                 self._rule(ink, left, y, width, LIGHT)
             shifts = [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from math import inf
 from typing import Any, NoReturn
 from xml.parsers import expat
 
@@ -179,7 +180,7 @@ class _Reader:
         found = self._lookup(element, Block, "a flowable")
         if isinstance(found, DataTable):
             found.whole = element.attributes.get("whole") in ("yes", "page")
-            found.undivided = element.attributes.get("whole") == "page"
+            found.undivided = inf if element.attributes.get("whole") == "page" else found.undivided
         return [found]
 
     def _sheet(self, element: Element) -> list[Any]:

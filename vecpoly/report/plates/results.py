@@ -11,6 +11,7 @@ from ...drawing.legend.on_sheet import with_legend, with_legend_under
 from ...drawing.sheets.boxes.results import Listed, with_results
 from ...drawing.sheets.sheet import Sheet
 from ...foundation.slotted import replace
+from ...names import Kind, Rel
 from ...solution import YES_NO, Answer, Solution
 from ...words import Lang, Words
 from ..answers.line import named_line
@@ -21,6 +22,7 @@ CONCLUSION = Words("结论", "Conclusion")
 WIDE = (70.0, 100.0, 130.0, 50.0)  # mm: of the lines in which a conclusion is told
 _STAR, NARROW = " *", 54.0  # mm: of the lines in which it is told what the star is for
 SHORT = Words(f"* 图上不足 {READABLE:g} mm，不可靠", f"* under {READABLE:g} mm, not reliable")
+_PARTS = (Kind.AN, Kind.AT, Kind.AK, Kind.AR)
 _READ_FROM = {"omega": View.VELOCITY, "alpha": View.ACCELERATION}
 
 
@@ -65,10 +67,20 @@ def _without_solution(answers: Sequence[Answer], solution: Solution, text: str, 
 
 
 def _attempts(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[list[Listed]]:
-    """All of them, then without yes and no; in the order of the box of answers."""
+    """All of them, then without yes and no, then without parts of vectors and what is relative, which stand in the
+    steps, then the last of each kind, the output's; in the order of the box of answers."""
     every = list(answers)
     numbers = [one for one in every if one.reading.unit != YES_NO]
-    return [_listed(some, solution, lang) for some in (every, *([numbers] if numbers != every else [])) if some]
+    whole = [one for one in numbers if not _is_part(one)]
+    last = [*{one.rel.kind if isinstance(one.rel, Rel) else one.key: one for one in whole}.values()]
+    lists = (every, numbers, whole, last)
+    tried = [some for n, some in enumerate(lists) if some and some not in lists[:n]]
+    return [_listed(some, solution, lang) for some in tried]
+
+
+def _is_part(answer: Answer) -> bool:
+    """Whether it is a part of a velocity or acceleration, or one relative to another point."""
+    return isinstance(answer.rel, Rel) and (answer.rel.ref is not None or answer.rel.kind in _PARTS)
 
 
 def _listed(answers: Iterable[Answer], solution: Solution, lang: Lang) -> list[Listed]:

@@ -12,15 +12,22 @@ from ...words import Lang
 from ..flow.blocks import Drawing
 from .shown import shown
 
+LETTERED = 0.85  # of its size on a sheet is a sketch in the text: so its letters are as large as those of the text
+
 
 def sketch_of(figure: Any, solution: Solution, lang: Lang, *, sketch: bool = False) -> Drawing:
     """A figure as a block of the text; sketch: one that is not to scale."""
     scene = draw_figure(figure, lang=lang, caption=False)
-    e = scene.extents
+    e, share = scene.extents, LETTERED if sketch else 1.0
+
+    def draw(canvas: Any, x: float, y: float) -> None:
+        canvas.scale(share, share)
+        draw_pdf(scene, canvas, x / share - e.x0 * MM, y / share - e.y0 * MM)
+
     return Drawing(
-        e.width,
-        e.height,
-        lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
+        share * e.width,
+        share * e.height,
+        draw,
         shown(figure, lang, scaled=not sketch),
         figure.title.of(lang),
         sketch=sketch,

@@ -9,24 +9,26 @@ from ...board.acts import Compute
 from ...board.construction import Reading
 from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
+from ...mechanism.model import Mechanism
 from ...names import Kind, Named, Rel, parse_rel
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import MM
 from ...words import Lang, Words
 from ..answers.order import solution_of
 from ..flow.furniture import COLUMN
-from ..statement.asked import in_order
+from ..statement.asked import in_order, of_machines
+from ..statement.further import IF_ANY, further
 from ..statement.meant import meant_by
 from ..values import called
 from .columns import HEADS, NONE, WITH_UNIT, Cells, headed, in_columns
 from .found import as_found
+from .framed.readings import AWAY
 from .ruled import RuledTable
 
 _YES_OR_NO = Words("（是/否）", " (yes or no)")
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
 LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
-_AWAY = "^{∞}"  # of a centre, which tells where it lies
 _OTHERS = Words("其他", "Others")
 _ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求量", "Required")
 
@@ -83,24 +85,30 @@ def _sought(solution: Solution, lang: Lang) -> Iterator[Cells]:
 def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterator[Cells]:
     """Their rows; those of each of several solutions under its number, which stands in their subscripts."""
     numbers = {key: solution_of(solution.answers[key]) if key in solution.answers else 0 for key in keys}
-    before = 0
+    before, more = 0, further(solution.construction.readings)
     for key in sorted(keys, key=numbers.__getitem__):
         one, number = solution.answers.get(key), numbers[key]
         if number != before and len({*numbers.values()} - {0}) > 1:
-            yield headed(_SOLVED.of(lang).format(number))
+            yield headed(_SOLVED.of(lang).format(number) + (IF_ANY.of(lang) if key in more else ""))
         before = number
         yield _none(solution.construction.readings[key], lang) if one is None else _row(one, solution, lang)
 
 
 def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
     """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
-    symbol, key = one.reading.symbol.replace(_AWAY, ""), one.reading.key
+    symbol, key = one.reading.symbol.replace(AWAY, ""), one.reading.key
     meant = meant_by(solution.problem.subject, key, f"${symbol}$") if one.reading.unit != YES_NO else None
-    name = called(symbol, key, lang) if meant is None else meant.of(lang)
+    name = _named(one, symbol, solution, lang) if meant is None else meant.of(lang)
     name += _YES_OR_NO.of(lang) * (one.reading.unit == YES_NO)
     paper, way = ("" if has(one) else NONE for has in (_measured, _points))
     unit = NONE if one.is_place or one.reading.unit in ("", YES_NO) else ""
     return name, paper, _PLACE.of(lang) if one.is_place else "", unit, way
+
+
+def _named(one: Answer, symbol: str, solution: Solution, lang: Lang) -> str:
+    """Its symbol, with what it is where a machine is reduced or balanced: no drawing shows that."""
+    meant = of_machines(one.reading.key, f"${symbol}$") if isinstance(solution.problem.subject, Mechanism) else None
+    return called(symbol, one.reading.key, lang) if meant is None else meant.of(lang).removeprefix("the ")
 
 
 def _valueless(solution: Solution) -> list[Reading]:

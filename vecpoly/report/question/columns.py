@@ -25,7 +25,7 @@ NONE = "—"
 Cells = tuple[str, str, str, str, str]
 _WIDTHS = (30.0, 32.0, 34.0, 22.0, 40.0)  # mm: the first at least
 _LEAST = (30.0, 26.0, 28.0, 16.0, 30.0)  # mm: where names are long
-_BROAD, _WIDER = 85.0, 1.2  # mm for names at most; as many times as wide as need be columns are to fill a page
+_BROAD = 85.0  # mm for names at most
 _PLACED = 54.0  # mm for the two coordinates of a place
 _FEW = 6  # rows that do not stand in two blocks side by side
 
@@ -36,7 +36,10 @@ def headed(name: str) -> Cells:
 
 
 def in_columns(rows: Sequence[Cells], lang: Lang) -> RuledTable:
-    """The table of these rows; many rows of a few short cells in two blocks side by side."""
+    """The table of these rows, as wide as the squares above it; many rows of a few short cells in two blocks side by
+    side."""
+    if all(row[2] for row in rows if not is_headed(row)):
+        return _places(rows, lang)
     kept = [i for i in range(len(HEADS)) if i in (0, 2) or any(not is_headed(row) and row[i] != NONE for row in rows)]
     heads, cells = [HEADS[i].of(lang) for i in kept], [[row[i] for i in kept] for row in rows]
     widths, align = _widths(rows, kept), "lcccc"[: len(kept)]
@@ -44,8 +47,15 @@ def in_columns(rows: Sequence[Cells], lang: Lang) -> RuledTable:
         half = _middle(rows)
         cells = [[*one, *other] for one, other in zip_longest(cells[:half], cells[half:], fillvalue=[""] * len(kept))]
         heads, widths, align = heads * 2, widths * 2, align * 2
-    share = min(_WIDER, COLUMN / MM / sum(widths))
+    share = COLUMN / MM / sum(widths)
     return RuledTable(heads, cells, [one * share for one in widths], align, lang=lang)
+
+
+def _places(rows: Sequence[Cells], lang: Lang) -> RuledTable:
+    """A table of nothing but places: a column for each coordinate."""
+    heads = [HEADS[0].of(lang), "$x$ /mm", "$y$ /mm"]
+    wide = COLUMN / MM
+    return RuledTable(heads, [(row[0], "", "") for row in rows], [wide / 5, *(0.4 * wide,) * 2], "lcc", lang=lang)
 
 
 def _middle(rows: Sequence[Cells]) -> int:

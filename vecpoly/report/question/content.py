@@ -23,7 +23,7 @@ from .columns import NONE
 from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
-from .framed.known import begun, is_circle
+from .framed.known import begun, enlarged, is_circle
 from .working import working
 
 WORKING = Words("计算过程", "Working")
@@ -45,7 +45,8 @@ def _circles(solution: Solution, blank: Sequence[Figure], lang: Lang) -> Iterato
     framed = {(one.view, one.name) for one in blank}
     for one in solution.construction.figures:
         if is_circle(one) and (one.view, one.name) not in framed:
-            yield sketch_of(replace(one, marks=begun(one)), solution, lang, sketch=True)
+            large = enlarged(one)
+            yield sketch_of(replace(large, marks=begun(large)), solution, lang, sketch=True)
 
 
 def question(solution: Solution, sheets: Construction, lang: Lang, objects: Objects) -> dict[str, Any]:

@@ -1,8 +1,12 @@
-"""Rows in which a vector equation is written by hand, term by term: as many cells as any equation has terms, so that
-nothing tells how many this one has, on which side the unknown stands, or whether there is a Coriolis term."""
+"""Rows in which a vector equation is written by hand, term by term, with its signs between: as many cells as any
+equation of its kind has terms, so that nothing tells how many this one has, on which side the unknown stands, or
+whether there is a Coriolis term."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from ...board.construction import Pane, Step, View
 from ...solution import Solution
 from ...tagging.tree import artifact, marked
 from ...typeset.box import MM, Box
@@ -21,13 +25,16 @@ _CAPTIONS = (
 )
 _ROWS = len(_CAPTIONS)
 _ROW, _TITLE = 8.0 * MM, 6.5 * MM
+_FAINT = (0.95, 0.95, 0.95)  # where nothing is written
 _BASE = (_ROW - CELL.size) / 2 + 1.5  # of type in a row
-CELLS = 8  # of an equation, unless one has more terms than that
+CELLS, SUMMED = 7, 5  # of an equation of motion, and of a sum of forces, unless one has more terms than that
+_SIGN = 5.0 * MM  # width of the column for the sign behind a term
+_MOTION = (View.VELOCITY, View.ACCELERATION)
 
 
 class EquationRows(Block):
-    """A vector equation to be written term by term with its signs, with the direction, the magnitude and the length on
-    paper of each below; over it, what it is for."""
+    """A vector equation to be written term by term, the signs in narrow columns between, with the direction, the
+    magnitude and the length on paper of each term below; over it, what it is for."""
 
     pieces = True
 
@@ -61,17 +68,27 @@ class EquationRows(Block):
         return max(layout_words(words.of(self._lang), CELL.em).width for words in _CAPTIONS) * MM + 4.0 * MM
 
     def _cells(self, start: float) -> None:
-        """A frame with full lines, and pale ones between the terms."""
-        step = (self.width - start) / self.cells
+        """A frame with full lines, pale ones about each term; a sign has the row of the equation alone."""
         self.colour(PALE)
         self.canv.setLineWidth(0.4)
-        for n in range(1, self.cells):
-            self.canv.line(start + n * step, 0.0, start + n * step, _ROWS * _ROW)
+        wide, top = self.term, _ROWS * _ROW
+        for n in range(self.cells):
+            end = start + (n + 1) * (wide + _SIGN)
+            self.canv.line(end - _SIGN, 0.0, end - _SIGN, top)
+            if n < self.cells - 1:
+                self.canv.line(end, 0.0, end, top)
+            self.canv.setFillColorRGB(*_FAINT)
+            self.canv.rect(end - _SIGN, 0.0, _SIGN, top - _ROW, stroke=0, fill=1)
         self.colour(GREY)
         for row in range(_ROWS + 1):
             self.canv.setLineWidth(0.9 if row in (0, _ROWS) else 0.4)
             self.canv.line(0.0, row * _ROW, self.width, row * _ROW)
         self.canv.line(start, 0.0, start, _ROWS * _ROW)
+
+    @property
+    def term(self) -> float:
+        """How wide the cell of a term is."""
+        return (self.width - self._start) / self.cells - _SIGN
 
 
 def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
@@ -79,6 +96,16 @@ def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
     belongs to."""
     drawn = solution.construction
     needed = [step for step in drawn.steps if step.equation is not None]
-    cells = max([CELLS, *(len(step.equation.symbols) for step in needed if step.equation is not None)])
-    told = enumerate(kinds(needed, lang, drawn.figures), 1)
-    return [EquationRows(n, purpose, lang, cells=cells) for n, purpose in told]
+    told = zip(needed, kinds(needed, lang, drawn.figures), strict=True)
+    return [EquationRows(n, purpose, lang, cells=_cells_of(step, needed)) for n, (step, purpose) in enumerate(told, 1)]
+
+
+def _cells_of(step: Step, needed: Sequence[Step]) -> int:
+    """As many for each equation of a kind: motions, or sums of forces, mass-radius products, couples."""
+    alike = [one.equation for one in needed if _moves(one) is _moves(step)]
+    return max([CELLS if _moves(step) else SUMMED, *(len(one.symbols) for one in alike if one is not None)])
+
+
+def _moves(step: Step) -> bool:
+    """Whether an equation is one of velocities or accelerations."""
+    return (step.view.view if isinstance(step.view, Pane) else step.view) in _MOTION

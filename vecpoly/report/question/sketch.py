@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ...board.construction import Construction, Figure, View
 from ...board.paper.marks import AngleMark, Ground, Mark, Plate, Point, Role, Segment
@@ -20,6 +20,7 @@ from ..sizes.coordinates import coordinates
 from ..sizes.sized import sized
 from .assembled import assembled
 from .framed.known import NEAR, given
+from .whole import whole
 
 GIVEN = Words("已知条件（示意）", "What is given (sketch)")
 LOW = 0.72  # of the height of other sketches
@@ -47,8 +48,11 @@ def _sketched(problem: Problem, construction: Construction, width: float, height
         return sized(problem, replace(reduced(figure, linkage(figure), width, LOW * height), title=SKETCH))
     if not isinstance(problem.subject, Design) or figure is None:
         return picture(problem, construction, width, height)
-    shown = (mark for mark in given(construction, figure) if getattr(mark, "role", None) is not Role.OTHER)
-    marks = [_fine(mark) for mark in shown]
+    if (drawn := whole(problem, width, LOW * height)) is not None:
+        return drawn
+    found = [mark for mark in given(construction, figure) if getattr(mark, "role", None) is not Role.OTHER]
+    letters = {mark.at: mark.label.partition("_") for mark in found if isinstance(mark, Point)}
+    marks = [_fine(mark) for mark in found if not _is_chord(mark, letters)]
     if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:
         return None
     marks += assembled(problem.subject, figure, marks)
@@ -71,6 +75,14 @@ def linkage(figure: Figure) -> list[Mark]:
 
 def _is_at(place: complex, ends: Sequence[complex]) -> bool:
     return any(abs(place - end) < NEAR for end in ends)
+
+
+def _is_chord(mark: Mark, letters: Mapping[complex, tuple[str, str, str]]) -> bool:
+    """Whether a line of help joins two places of one point: C_1 C_2, which is no link."""
+    if not isinstance(mark, Segment) or mark.role is not Role.CONSTRUCTION:
+        return False
+    (one, _, first), (other, _, second) = (letters.get(end, ("", "", "")) for end in (mark.a, mark.b))
+    return bool(one) and one == other and first != second
 
 
 def _fine(mark: Mark) -> Mark:

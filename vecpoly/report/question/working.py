@@ -1,4 +1,5 @@
-"""Squared paper to work on: it takes the rest of the page and goes on overleaf; the results stand at its foot."""
+"""Squared paper to work on: it takes the rest of the page, or a page of its own where that is a strip, and goes on
+overleaf; the results stand at its foot."""
 
 from __future__ import annotations
 
@@ -13,7 +14,8 @@ from ..flow.furniture import COLUMN
 from ..flow.style import PALE
 
 SQUARE = 5.0 * MM
-LEAST_ROOM, _LITTLE = 35.0 * MM, 25.0 * MM  # of squares under a heading; less is no room: over a tall table
+LEAST_ROOM, _LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; less is no room: over a tall table
+BEGUN = 70.0 * MM  # of squares that go on overleaf: a lower strip stays white
 _TALL, _TALLEST = 180.0 * MM, 190.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
 _GAP = 3.0 * MM
 _CLOSE = 0.6  # of the room that the work has on lines of its own: so much it needs in two columns, which spares a page
@@ -72,7 +74,7 @@ class Working(Block):
     def split(self, width: float, height: float) -> list[Block]:
         """What is left of this page, and the rest overleaf."""
         room = height - sum(_tall(one, width) for one in self._head)
-        if room < LEAST_ROOM:
+        if room < BEGUN:
             return []
         rest = Working(_ON[self._lang].format(self.name), max(self._need - room, self._least), self._foot, self._lang)
         rest.name = self.name

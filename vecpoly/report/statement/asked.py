@@ -15,6 +15,7 @@ from ...problem.asked.checks import is_check
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words, bare
 from ..values import asked_load, called, curved, way_of
+from .further import THE_SAME, further
 from .groups import Group, by_groups, parted
 from .meant import meant_by, plural
 
@@ -27,7 +28,7 @@ _MEANT = {
     r"F_e\d*": Words("等效力 {}", "the equivalent force {}"),
     "dW_max": Words("最大盈亏功 {}", "the greatest surplus of work {}"),
     "J_F": Words("飞轮的转动惯量 {}", "the moment of inertia of the flywheel {}"),
-    "J_F_areas": Words("其近似值 {}", "its approximation {}"),
+    "J_F_areas": Words("$J_F$ 的近似值 {}", "the approximation {} of $J_F$"),
     "phi_max": Words("最大转速的位置 {}", "the place of the greatest speed {}"),
     "phi_min": Words("最小转速的位置 {}", "the place of the least speed {}"),
     r"W_c\d+": Words("配重的质径积 {}", "the mass-radius product of the counterweight {}"),
@@ -44,12 +45,18 @@ T = TypeVar("T")
 def asked(solution: Solution, lang: Lang) -> str:
     """The questions in symbols and words, a long list of them by kinds: the velocities v_B, v_C; the angular ..."""
     comma, stop = ("、", "；") if lang == "zh" else (", ", "; ")
-    told = [(key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang)) for key, ask in _listed(solution)]
-    return stop.join(
+    more = further(solution.construction.readings)
+    told = [
+        (key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang))
+        for key, ask in _listed(solution)
+        if ask is None or ask.rel.key not in more
+    ]
+    parts = [
         ("" if group is None else group.heads(len(some), lang))
         + comma.join(_once_named([text for _, text in some], lang))
         for group, some in asked_by_kinds(told)
-    )
+    ]
+    return stop.join([*parts, THE_SAME.of(lang)] if more else parts)
 
 
 def repeated(solution: Solution) -> bool:
@@ -151,12 +158,18 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
         return meant.of(lang)
     if isinstance(solution.problem.subject, Mechanism):
-        meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, reading.key)), None)
+        meant = of_machines(reading.key, symbol)
         if meant is not None:
-            return meant.of(lang).format(symbol)
+            return meant.of(lang)
     if reading.key.endswith(_IN_LINE):
         return _in_line(reading.key, symbol).of(lang)
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
+
+
+def of_machines(key: str, symbol: str) -> Words | None:
+    """A quantity of a mechanism as a machine with what it is, the efficiency η; None of one without a name."""
+    meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, key)), None)
+    return None if meant is None else Words(meant.zh.format(symbol), meant.en.format(symbol))
 
 
 def _in_line(key: str, symbol: str) -> Words:

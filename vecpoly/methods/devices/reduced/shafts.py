@@ -11,7 +11,7 @@ from ....foundation.slotted import dataclass, replace
 
 APART = 1.35  # of the sum of its radii: how far the pulleys of a belt stand from each other
 WAYS = (1 + 0j, 1j, -1j, -1 + 0j)  # the first wheel that a shaft drives stands on its right, the next above it ...
-LEAST, LETTER = 5.0, 2.5  # mm: a wheel is not drawn smaller; half a letter
+LETTER = 2.5  # mm: half a letter
 ROUND = tuple(exp(2j * pi * n / 24) for n in (6, 7, 5, 8, 4, 18, 17, 19, 9, 3, *range(24)))  # above first, then below
 
 
@@ -47,7 +47,7 @@ class Shafts:
 
     def enlarged(self, mm: float) -> Shafts:
         """With so many mm for a unit."""
-        wheels = tuple(replace(w, radius=max(w.radius * mm, LEAST)) for w in self.wheels)
+        wheels = tuple(replace(w, radius=w.radius * mm) for w in self.wheels)
         return replace(self, at={name: z * mm for name, z in self.at.items()}, wheels=wheels)
 
     def beside(self, wheel: Wheel, gap: float, taken: Sequence[complex] = ()) -> complex:

@@ -16,8 +16,9 @@ from ....diagram.single import disc, gear, outline, pivot
 from ..turning import arrow_about
 from .shafts import APART, Shafts, Wheel, placed
 
-WIDE, HIGH = 132.0, 78.0  # mm that all takes at most: the sketch stands in the text
+WIDE, HIGH = 132.0, 96.0  # mm that all takes at most: the sketch stands in the text
 SPEED, MOMENT, NEXT = 9.0, 14.0, 4.0  # mm: radii of the curved arrows, from one to the next
+BEARING = 9.0  # mm: the radius of wheels that a bearing does not hide
 OUTSIDE = 2.0  # mm from a rim to the size of its wheel
 DRUM, LEAST_DRUM = 0.5, 9.0  # of the radius of the wheel beside it; mm
 _SPREAD = (-0.35, -0.2, -0.1, 0.0, 0.1, 0.2, 0.35)  # of half a turn: where an arrow about a shaft is
@@ -25,7 +26,8 @@ ROPE, LOAD, WEIGHT = 5.0, 12.0 + 8.0j, 11.0  # mm: rope below the wheels; the lo
 
 
 def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
-    """Pulleys and the pitch circles of gears on their bearings, larger ones below; speeds, moments, the load."""
+    """Pulleys and the pitch circles of gears, which touch, larger ones below; their bearings where these leave all of
+    them to be seen; speeds, moments, the load."""
     shafts = _fitted(train)
     for wheel in sorted(shafts.wheels, key=lambda wheel: -wheel.radius):
         board.depict(place, (disc if wheel.belt else gear)(f"link {wheel.shaft}", shafts.at[wheel.shaft], wheel.radius))
@@ -34,8 +36,10 @@ def draw_shafts(board: Board, place: Place, train: ReducedTrain) -> None:
             _belt(board, place, shafts.at[pair.first], shafts.at[pair.second], pair.sizes[0] / pair.sizes[1])
     if train.hoist is not None:
         _load(board, place, shafts, *train.hoist)
+    borne = min(wheel.radius for wheel in shafts.wheels) >= BEARING
     for name, centre in shafts.at.items():
-        board.depict(place, pivot(centre))
+        if borne:
+            board.depict(place, pivot(centre))
         board.plot(place, centre, name, Dot.JOINT)
         _turning(board, place, shafts, name, train.shafts[name])
     taken = [spot for name in shafts.at for spot in _over(shafts, name, train.shafts[name])]

@@ -9,6 +9,7 @@ from typing import Any
 from ....findings.advice import advice, is_square
 from ....findings.conditioning import Conditioning, conditioning
 from ....findings.motion import motion
+from ....findings.shown import dead_points
 from ....findings.study.study import Study
 from ....words import Lang, Words
 from ..checks.comparison import Compared
@@ -19,7 +20,7 @@ from .conclusion import themes
 from .peak_remarks import remarks
 from .why_peaks import causes
 
-_BEYOND = Words("两端趋近死点", "dead points beyond")
+_BEYOND = Words("两端趋近死点", "towards dead points")
 _MACHINE = Words("机械的运转与平衡", "The machine in motion and its balance")
 _HEADER = {
     "zh": ["杆组", "行列式", "最小处", "最小值/最大值", "最大处", "最小传动角", "1/$sin γ$", "判断"],
@@ -110,8 +111,12 @@ def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
             f"{one.times} times",
         )
     verdict = _verdict(study, one)
-    judged = f". There are {verdict.en}." if verdict is _BEYOND else f". The conditioning is {verdict.en}."
-    return told + Words(f"。判断：{verdict.zh}。", judged)
+    if verdict is _BEYOND:
+        dead = dead_points(study)
+        many = len(study.facts.dead) > 1
+        lie = f"{'Dead points lie' if many else 'A dead point lies'} beyond the working range, at {dead.en}."
+        return told + Words(f"。工作范围之外，{dead.zh} 处为死点。", f". {lie}")
+    return told + Words(f"。判断：{verdict.zh}。", f". The conditioning is {verdict.en}.")
 
 
 def _verdict(study: Study, one: Conditioning) -> Words:

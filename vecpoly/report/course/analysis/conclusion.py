@@ -9,7 +9,7 @@ from typing import Any
 from ....cycle.facts.transmission_range import USUAL
 from ....findings.conditioning import Conditioning
 from ....findings.output_links import ends
-from ....findings.shown import span
+from ....findings.shown import dead_points, span
 from ....findings.study.study import Study
 from ....findings.transmission import least_places
 from ....mechanism.groups.mobility import mobility
@@ -125,13 +125,7 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
     """The verdict on every group that 8.3 finds wanting, by its one measure."""
     poor = sorted((one for one in groups if one.is_poor), key=lambda one: one.measure)
     if poor and study.facts.dead:
-        yield Words(
-            f"{'原动件的行程有限' if study.mech.drive.slide else '原动件不能整周转动'}，"
-            "接近行程端部的死点时各速度、加速度急剧增大，机构不宜在其附近工作。",
-            f"The input link {'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}, "
-            "and towards the dead points at the ends of its stroke velocities and accelerations grow without bound: "
-            "the mechanism should not work near them.",
-        )
+        yield _near_dead(study)
     elif poor and (study.whole.whole or not all(study.facts.unlimited)):
         told = [_wanting(one) for one in poor]
         yield Words(
@@ -142,6 +136,18 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
         )
     elif groups and not poor:
         yield _sound(study, groups)
+
+
+def _near_dead(study: Study) -> Words:
+    """That what is greatest at an end of the working range is no maximum: beyond it lie dead points."""
+    dead, slides = dead_points(study), study.mech.drive.slide
+    return Words(
+        f"{'原动件的行程有限' if slides else '原动件不能整周转动'}，接近死点（{dead.zh}）时各速度、加速度急剧增大，"
+        "故工作范围端部的最大值并非极大值；机构不宜在死点附近工作。",
+        f"The input link {'has a limited stroke' if slides else 'cannot make full revolutions'}, and towards its dead "
+        f"points, at {dead.en}, velocities and accelerations grow without bound: what is greatest at an end of the "
+        "working range is no maximum, and the mechanism should not work near them.",
+    )
 
 
 def _sound(study: Study, groups: list[Conditioning]) -> Words:

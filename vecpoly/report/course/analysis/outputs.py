@@ -128,7 +128,7 @@ def points(study: Study) -> Iterator[Words]:
         at = subscripted(letter)
         zh = f"${at}$ 点{within.zh}走过的路程为 {length}，" if found.length else f"${at}$ 点："
         en = f"Point ${at}$ travels {length} {within.en}; " if found.length else f"Of point ${at}$: "
-        top = [(shown(study, e.key, spot.value), places(study, e, spot)) for e, spot in ((of_v, v), (of_a, a))]
+        top = [(shown(study, e.key, spot.value), _placed(study, e, spot)) for e, spot in ((of_v, v), (of_a, a))]
         yield Words(
             f"{zh}$|v_{{{letter}}}|$ 最大 {top[0][0]}（{top[0][1].zh}），$|a_{{{letter}}}|$ 最大 {top[1][0]}（"
             f"{top[1][1].zh}）。",

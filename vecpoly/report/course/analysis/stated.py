@@ -22,6 +22,7 @@ from ....words import Words
 from ...answers.placed import angle
 from ...values import called, direction_of_load, unit_after, value, way_of
 from .agreement import agreement
+from .several_ways import alike, by_ways
 
 _AXES = {
     0: Words("向右", "to the right"),
@@ -47,7 +48,8 @@ def stated(study: Study) -> Iterator[Words]:
     gathered = centres if len(centres) > _LISTED and study.drawn else []
     main = _main(study, keys) if len(keys) - len(gathered) > _MANY and study.drawn else []
     told = [_centres(study, gathered)] if gathered else []
-    told += [said for key in main or keys if key not in gathered and (said := _asked(study, key)) is not None]
+    alone = [key for key in main or keys if key not in gathered]
+    told += [said for some in alike(alone, study.solution.answers) if (said := _all_ways(study, some)) is not None]
     if not told:
         return
     at, how = study.where(study.mech.drive.position), _DRAWN if study.solution.answers else _EXACT
@@ -59,6 +61,14 @@ def stated(study: Study) -> Iterator[Words]:
         f"题设位置 {at}{taken.zh}，{how.zh}{'；'.join(w.zh for w in told)}{rest.zh}。{near.zh}",
         f"In the given position, {at}{taken.en}, {how.en}{'; '.join(w.en for w in told)}{rest.en}.{near.en}",
     )
+
+
+def _all_ways(study: Study, keys: list[str]) -> Words | None:
+    """A quantity; one that is found by several ways with all of them."""
+    answers = [study.solution.answers[key] for key in keys if key in study.solution.answers]
+    if len(keys) == 1 or any(one.undefined or _nothing(study, one) for one in answers):
+        return _asked(study, keys[0])
+    return by_ways(answers, [_numbers(one) for one in answers], _sense(study, answers[0]))
 
 
 def _main(study: Study, keys: list[str]) -> list[str]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from ....cycle.facts.path import Shape
 from ....cycle.facts.path_words import path_sentences
+from ....findings.shown import dead_points
 from ....findings.study.study import Study
 from ....findings.transmission import transmission
 from ....names import subscripted
@@ -214,14 +215,23 @@ def _range(study: Study, press: Press) -> str:
     if study.whole.whole:
         return ""
     low, high = (study.where(q).split(" = ")[1] for q in (study.whole.low, study.whole.high))
-    return Words(
-        f"{'原动件的行程有限' if study.mech.drive.slide else '原动件不能整周转动'}，以下只列出其工作范围 {low} "
-        f"至 {high}；两端接近死点，速度和加速度急剧增大，未予列出。",
-        "The drive "
-        f"{'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}; "
-        f"the tables cover its working range, {low} to {high}. Beyond it lie dead points, towards "
-        "which velocities and accelerations grow without bound.",
-    ).of(press.lang)
+    drive = (
+        Words("原动件的行程有限", "The drive has a limited stroke")
+        if study.mech.drive.slide
+        else Words("原动件不能整周转动", "The drive cannot make full revolutions")
+    )
+    told = drive + Words(
+        f"，以下只列出其工作范围 {low} 至 {high}", f"; the tables cover its working range, {low} to {high}."
+    )
+    if not study.facts.dead:
+        return (told + Words("。", "")).of(press.lang)
+    dead, many = dead_points(study), len(study.facts.dead) > 1
+    lie = f"at {dead.en}, {'lie dead points' if many else 'lies a dead point'}"
+    beyond = Words(
+        f"；死点在 {dead.zh} 处，其附近速度和加速度急剧增大，未予列出。",
+        f" Beyond it, {lie}, towards which velocities and accelerations grow without bound.",
+    )
+    return (told + beyond).of(press.lang)
 
 
 def _step(study: Study) -> str:

@@ -3,7 +3,8 @@ room for their numbers; paths and hodographs of half the width, two beside each 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
@@ -14,9 +15,13 @@ from ....figures.hue import Hue
 from ....findings.study.study import Study
 from ....words import Lang, Words
 
+if TYPE_CHECKING:
+    from ....curves.plot import Plot
+
 LINES = 4  # in one panel
 WIDE = 165.0, 60.0  # mm: curves over the drive's position
-_NARROW = 83.0  # mm
+_NARROW, _BROAD = 83.0, 130.0  # mm: beside another one, alone
+_LEAST_HIGH = 62.0  # mm: what is lower beside another one stands alone
 _FLAT, _LOW = 80.0, 57.0  # mm, height of a plane; of a long report
 Plotted = tuple[Scene, Words]
 
@@ -68,7 +73,7 @@ def way(study: Study, lang: str, letter: str) -> Plotted:
     """The path of a point."""
     from ....curves import trace
 
-    plot = trace(study.turn, (letter,), "en" if lang == "en" else "zh", width=_NARROW, height=_FLAT)
+    plot = _large(lambda width: trace(study.turn, (letter,), _tongue(lang), width=width, height=_FLAT))
     return plot.scene, plot.title
 
 
@@ -76,8 +81,18 @@ def posed(study: Study, lang: str, letter: str) -> Plotted:
     """The mechanism in several positions, beside the path of the point."""
     from ....curves import poses
 
-    plot = poses(study.turn, letter, "en" if lang == "en" else "zh", width=_NARROW, height=_FLAT)
+    plot = _large(lambda width: poses(study.turn, letter, _tongue(lang), width=width, height=_FLAT))
     return plot.scene, plot.title
+
+
+def _large(plotted: Callable[[float], Plot]) -> Plot:
+    """Beside another one; where that would leave it low, and its letters no room, as wide as the text."""
+    narrow = plotted(_NARROW)
+    return narrow if narrow.scene.extents.height >= _LEAST_HIGH else plotted(_BROAD)
+
+
+def _tongue(lang: str) -> Lang:
+    return "en" if lang == "en" else "zh"
 
 
 def swept(study: Study, lang: str, key: str, turn: Cycle | None = None) -> Plotted:

@@ -1,5 +1,6 @@
-"""Light rules between rows: under every sixth of a long table of numbers, by which the eye keeps to a row, between
-groups of rows that have one head, and over a row of sums."""
+"""What parts the rows of a table: a little white under every sixth of a long table of numbers, by which the eye keeps
+to a row, and where a page break may part it; light rules between groups of rows that have one head, and over a row
+of sums."""
 
 from __future__ import annotations
 
@@ -8,8 +9,8 @@ from collections.abc import Sequence
 from ....algebra.columns import TOTAL
 from ....foundation.slotted import dataclass
 
-LIGHT = 0.2  # pt
-_LONG, _BAND = 18, 6  # rows of such a table, at least; rows between two rules
+LIGHT, WHITE = 0.2, 3.0  # pt: a rule, the white between two bands of rows
+_LONG, _BAND = 18, 6  # rows of such a table, at least; rows of a band
 
 
 def is_banded(rows: Sequence[Sequence[str]]) -> bool:
@@ -23,14 +24,9 @@ def is_grouped(rows: Sequence[Sequence[str]]) -> bool:
     return "" in heads and heads[0] != "" and sum(head != "" for head in heads) > 1
 
 
-def is_parted(row: int, cells: Sequence[str], banded: bool) -> bool:
-    """Whether a rule stands over the row of this number, of the whole table, from 0 on."""
-    return row > 0 and (cells[0] == TOTAL or (banded and not row % _BAND))
-
-
 @dataclass(frozen=True, slots=True)
 class Rules:
-    """The rules of a table of so many rows."""
+    """The rules and the bands of a table of so many rows."""
 
     banded: bool
     grouped: bool
@@ -42,6 +38,16 @@ class Rules:
         return cls(is_banded(rows), is_grouped(rows), len(rows))
 
     def over(self, row: int, cells: Sequence[str]) -> bool:
-        """Whether one stands over this row, from 0 on; no band is the last row alone."""
-        banded = self.banded and row != self.count - 1
-        return is_parted(row, cells, banded) or (row > 0 and self.grouped and cells[0] != "")
+        """Whether a rule stands over this row, of the whole table, from 0 on."""
+        return row > 0 and (cells[0] == TOTAL or (self.grouped and cells[0] != ""))
+
+    def white(self, before: int, row: int) -> float:
+        """What stays free (pt) over this row of what is left of a table behind so many rows: over the first of a band,
+        unless that is the last of all, or the first here."""
+        there = before + row
+        return WHITE if self.banded and row > 0 and not there % _BAND and there != self.count - 1 else 0.0
+
+    def before(self, row: int, least: int) -> int:
+        """How many rows stand before a page break after so many at most: whole bands, if these are enough."""
+        whole = row - row % _BAND
+        return whole if self.banded and whole >= least else row

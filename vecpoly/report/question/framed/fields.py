@@ -23,7 +23,7 @@ SUMS = (COUPLES, PRODUCTS)  # polygons that are the sum of something, with a tab
 MOST = 2  # equations that have a line each; of more the numbers are told, for they are written on the pages before
 WRITTEN, READS = 80.0, 60.0  # mm: a frame in which an equation is written; of a line for readings beside a bar
 _EDGE, _GAP, _APART = 4.0, 2.0, 7.0  # mm: to the frame; from the words to a rule; between words on one line
-_EQUATION, _COLON = Words("矢量方程", "Vector equation"), Words("：", ":")
+_EQUATION, _COLON = Words("方程", "Equation"), Words("：", ":")
 
 
 class Fields(NamedTuple):

@@ -17,10 +17,11 @@ from ....foundation.slotted import replace
 from ....foundation.stock import Format, Paper
 from ....problem.problem import Problem
 from ...picture import to_scale
+from ...statement.further import doubtful
 from .blank import WHITE, framed
 from .fields import Fields, fields, written
 from .grid import NARROWEST, Grid, Need, Size, grid, least_sheets, tightness
-from .known import begins_at, is_circle, lettered, stands
+from .known import begins_at, enlarged, is_circle, lettered, stands
 from .readings import Form
 from .room import outline
 
@@ -34,8 +35,8 @@ _WRITTEN = (
 )  # with how much white, and in which form what is read
 _FREE, _LEAST, _NEAR = (
     0.0,
-    1 / 6,
-    (1 / 2, 1 / 3, 1 / 4),
+    (1 / 3, 1 / 4),
+    (1 / 2, 2 / 5, 1 / 3, 1 / 4),
 )  # shares of a frame beside its pole: any, of every frame, better
 _NO_END = 10**6  # sheets, before any are found
 
@@ -49,7 +50,7 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     that would need a sheet more: it stands in the text.
     """
     on = problem.paper
-    figures = tuple(lettered(figure, construction.figure(View.MECHANISM)) for figure in construction.figures)
+    figures = tuple(enlarged(lettered(one, construction.figure(View.MECHANISM))) for one in construction.figures)
     asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
     told, found = _with_fields(asked, [fields(construction, figure) for figure in asked], on)
     less = [figure for figure in asked if not is_circle(figure)]
@@ -80,12 +81,13 @@ def as_solved(figures: Sequence[Figure]) -> list[Figure]:
 
 
 def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> tuple[Sequence[Fields], Sequence[Grid]]:
-    """The sheets with lines for equations and for readings. No pole is near an edge, for which there may be a sheet
-    more; not where the mechanism and all polygons have one, on which directions are carried from one to the other."""
+    """The sheets with lines for equations and for readings. No pole is near an edge, where it would tell to which side
+    its polygon lies: for that there may be one sheet more."""
     found = _as_told(asked, told, on, _FREE)
-    if len(found[1]) == 1 and any(one.view is View.MECHANISM for one in asked):
+    if not any(map(begins_at, asked)):
         return found
-    return _as_told(asked, told, on, _LEAST)
+    better = [_as_told(asked, told, on, least) for least in _LEAST]
+    return next((one for more in (0, 1) for one in better if len(one[1]) <= len(found[1]) + more), found)
 
 
 def _as_told(
@@ -182,4 +184,4 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> F
     low, high = low - 1j * told.below, high + 1j * told.above
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    return replace(figure, marks=border + shown + tuple(written(told, low, high)))
+    return replace(figure, title=doubtful(figure.title), marks=border + shown + tuple(written(told, low, high)))

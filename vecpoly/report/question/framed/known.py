@@ -23,6 +23,7 @@ from ....figures.torque import TORQUE
 from ....foundation.slotted import replace
 from ....problem.problem import Problem
 from ....words import Words
+from ...picture import scaled
 from .poses import poses
 
 _FOUND = (Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn)
@@ -30,6 +31,7 @@ _SHAPED = (RingSpring, VeeGuide, WedgeClamp, Wedges)  # bodies whose angles are 
 _HELP = (Role.CONSTRUCTION, Role.DIRECTION)
 _DATUM = Words("齿条中线", "datum line of the rack")
 NEAR = 1e-6  # mm
+_CIRCLE = 25.0  # mm, radius of the circle on which the numbers of the links stand
 HALF_BLOCK = 6.0  # mm: more than a guide lies beside the line of its block
 DIGITS = "0123456789°"  # with which the numbers along an axis end
 
@@ -114,6 +116,14 @@ def begun(figure: Figure) -> tuple[Mark, ...]:
 def is_circle(figure: Figure) -> bool:
     """Whether it is a circle diagram: numbers of links on a circle."""
     return figure.view is View.MECHANISM and not figure.scale.value and any(isinstance(m, Arc) for m in begun(figure))
+
+
+def enlarged(figure: Figure) -> Figure:
+    """A circle diagram so large that lines between the numbers on it are told apart; any other figure as it is."""
+    if not is_circle(figure):
+        return figure
+    factor = _CIRCLE / max(mark.radius for mark in begun(figure) if isinstance(mark, Arc))
+    return replace(figure, marks=tuple(scaled(mark, factor) for mark in figure.marks))
 
 
 def begins_at(figure: Figure) -> Point | None:

@@ -16,6 +16,7 @@ from ....drawing.style import NOTE
 from ....printed.units import printed_unit
 from ....typeset.words import layout_words
 from ....words import Words
+from ...statement.further import doubtful, further
 
 READ = "readings"  # of what is written there
 LINE, DROP, GAP = 7.0, 1.6, 2.5  # mm: height of a line; of its rule below the middle of the words; behind these
@@ -24,6 +25,7 @@ _ROOM, _LONGEST, _BEHIND = 16.0, 40.0, 0.5  # mm for a number to be written: at 
 _MOST = 4  # lines in full
 _APART = 5.0  # mm between two quantities on a line
 _DEGREE = "°"
+AWAY = "^{∞}"  # of a centre, which tells where it lies
 _READINGS = Words("量得：", "Readings:")
 BEFORE = max(layout_words(text, NOTE).width for text in (_READINGS.zh, _READINGS.en)) + GAP  # mm
 
@@ -38,15 +40,18 @@ class Form(IntEnum):
 
 class Blank(NamedTuple):
     """A quantity to be read: its symbol, the unit in which it is read off the paper; μ and unit of its value, of a
-    length that is brought to its value by a scale alone."""
+    length that is brought to its value by a scale alone; placed: a place, of which both coordinates are read."""
 
     symbol: str
     paper: str
     scale: str = ""
     unit: str = ""
+    placed: bool = False
 
     def texts(self, form: Form) -> tuple[str, ...]:
         """What stands before each room for a number, and behind the last."""
+        if self.placed:
+            return f"${self.symbol}$: $x$ =", "$y$ =", self.paper
         if form is Form.WHOLE and self.scale:
             return f"${self.symbol}$ =", f"{self.paper} × ${self.scale}$ =", self.unit
         return f"${self.symbol}$ =" if self.paper == _DEGREE else f"${self.symbol}$:", self.paper
@@ -99,12 +104,12 @@ class Readings(NamedTuple):
 
 
 def readings(construction: Construction, figure: Figure) -> Readings | None:
-    """What is read off this figure; None if nothing is."""
+    """What is read off this figure; None if nothing is, or more than have a line each: the results have a table."""
     place = _place(figure)
     if not any(isinstance(act, Area | Gauge | Measure) and act.figure == place for act in construction.acts):
         return None
     blanks = tuple(dict.fromkeys(_asked(construction, figure)))
-    return Readings(blanks if len(blanks) <= NAMED else ())
+    return Readings(blanks) if len(blanks) <= NAMED else None
 
 
 def _place(figure: Figure) -> str:
@@ -113,16 +118,26 @@ def _place(figure: Figure) -> str:
 
 
 def _asked(construction: Construction, figure: Figure) -> Iterator[Blank]:
-    """The lengths and angles that are asked and read off here; no places, of which each has two numbers."""
+    """The lengths, angles and places that are asked and read off here; what belongs to a further solution only where
+    the figure is its own."""
     written = {act.key: act for act in construction.acts if isinstance(act, Answer)}
     place, like = _place(figure), [one for one in construction.figures if one.scale.symbol == figure.scale.symbol]
-    for key, one in construction.readings.items():
+    more = further(construction.readings) if doubtful(figure.title) == figure.title else ()
+    for key, one in ((key, one) for key, one in construction.readings.items() if key not in more):
         kind = Gauge if one.mm is None else Measure
         here = place == _read_on(written.get(key), construction.acts, kind)
-        if one.mm is not None and one.scale == figure.scale.symbol and (here or len(like) == 1):
+        if _is_place(one):
+            if place in {_read_on(written.get(key), construction.acts, sort) for sort in (Measure, Gauge)}:
+                yield Blank(one.symbol.removesuffix(AWAY), "mm", placed=True)
+        elif one.mm is not None and one.scale == figure.scale.symbol and (here or len(like) == 1):
             yield _length(one)
         elif one.mm is None and one.unit == "deg" and here:
             yield Blank(one.symbol, _DEGREE)
+
+
+def _is_place(one: Reading) -> bool:
+    """Whether it has two coordinates, or lies at infinity, which nothing tells."""
+    return one.mm is None and ((one.unit == "m" and one.vector is not None) or one.symbol.endswith(AWAY))
 
 
 def _length(one: Reading) -> Blank:

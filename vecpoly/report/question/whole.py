@@ -1,0 +1,58 @@
+"""A linkage that is given whole, drawn in a position of no significance: in one with its crank at 60°."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...board.construction import Figure
+from ...board.paper.marks import AngleMark, Mark, Point, Role, Segment, TurnArrow
+from ...designs.base import Design
+from ...designs.limits_found import CrankRockerLimits, GuideBarLimits, SliderCrankLimits
+from ...foundation.slotted import replace
+from ...problem.problem import Problem
+from ...problem.values.made import problem as made
+from ...solution import solve
+from ..picture import picture
+from ..sizes.lines import span
+from ..sizes.sized import sized
+
+_GIVEN = (CrankRockerLimits, SliderCrankLimits, GuideBarLimits)
+_MILLI = 1e-3
+_BEFORE = 16.0  # mm before the pivot, at which the offset is marked
+
+
+def whole(problem: Problem, width: float, height: float) -> Figure | None:
+    """The sketch of a linkage all of whose lengths are given; None of one that is to be found."""
+    if not isinstance(problem.subject, _GIVEN):
+        return None
+    data = problem.subject.built(_lengths(problem.subject))
+    title = {"zh": problem.title.zh, "en": problem.title.en}
+    linkage = made({"id": problem.id, "title": title, **data})
+    drawn = picture(linkage, solve(linkage, repeats=0, precise=False).construction, width, height)
+    if drawn is None:
+        return None
+    plain = tuple(mark for mark in drawn.marks if not _moves(mark))
+    return sized(problem, replace(drawn, marks=(*plain, *_offset(problem, drawn))))
+
+
+def _lengths(subject: Design) -> dict[str, float]:
+    """By the names of the data, mm."""
+    names = ("AB", "BC", "CD", "AD", "AC")
+    found = {name: getattr(subject, name).si / _MILLI for name in names if hasattr(subject, name)}
+    return found | {"e": getattr(subject, "offset", 0.0) / _MILLI}
+
+
+def _moves(mark: Mark) -> bool:
+    """What tells how the crank stands and turns, of which nothing is given: φ_1 with the line from which it counts."""
+    if isinstance(mark, AngleMark):
+        return mark.label.startswith("φ")
+    return isinstance(mark, TurnArrow) or (isinstance(mark, Segment) and mark.role is Role.CENTRE)
+
+
+def _offset(problem: Problem, figure: Figure) -> Iterator[Mark]:
+    """How far the guide of a slider lies below the pivot of its crank."""
+    if isinstance(problem.subject, SliderCrankLimits) and problem.subject.offset:
+        pivot = next(mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "A")
+        slider = next(mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "C")
+        yield Segment(a=complex(pivot.real - _BEFORE, slider.imag), b=slider, role=Role.CENTRE, step=1)
+        yield from span(pivot, complex(pivot.real, slider.imag), "e", -_BEFORE + 0j)
