@@ -37,9 +37,12 @@ def _size(answer: Answer, sign: str) -> float:
 
 
 def alike(sizes: Sequence[float]) -> list[str]:
-    """Two figures of the least, and of the others its decimals, but three figures at most: 0.27, 6.46, 10.3."""
-    most = max((_places(size) for size in sizes if _is_plain(size)), default=0)
-    return [_told(size, min(most, _places(size) + 1) if _is_plain(size) else None) for size in sizes]
+    """All with as many decimals: two figures of the least, where the largest has three at most, 0.27, 6.46; else fewer,
+    but one figure of each: 0.3, 10.3."""
+    plain = [size for size in sizes if _is_plain(size)]
+    finest = min(max(map(_places, plain)), min(map(_places, plain)) + 1) if plain else 0
+    places = max(finest, max(map(_places, plain)) - 1) if plain else 0
+    return [_told(size, places if _is_plain(size) else None) for size in sizes]
 
 
 def _told(size: float, places: int | None) -> str:

@@ -35,6 +35,8 @@ _MEANT = {
     r"m_c\d+": Words("配重的质量 {}", "the mass of the counterweight {}"),
 }
 _IN_LINE = ("_extended", "_overlapped")  # crank and coupler, in one line
+_ARTICLE = {"Zhukovsky lever": "the ", "sine rule": "the "}
+_LISTED = 3  # kinds of what is asked that are numbered
 _NUMBER = "number of "  # that is said once of several in a row
 _SYMBOL = re.compile(r"\$[^$]+\$")
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
@@ -45,11 +47,13 @@ def asked(solution: Solution, lang: Lang) -> str:
     """The questions in symbols and words, a long list of them by kinds: the velocities v_B, v_C; the angular ..."""
     comma, stop = ("、", "；") if lang == "zh" else (", ", "; ")
     told = [(key, _told(ask, solution, lang) if ask else ALL_CENTRES.of(lang)) for key, ask in _listed(solution)]
-    return stop.join(
+    parts = [
         ("" if group is None else group.heads(len(some), lang))
         + comma.join(_once_named([text for _, text in some], lang))
         for group, some in asked_by_kinds(told)
-    )
+    ]
+    many = len(parts) >= _LISTED
+    return stop.join(f"({n}) {part}" if many else part for n, part in enumerate(parts, 1))
 
 
 def repeated(solution: Solution) -> bool:
@@ -171,7 +175,9 @@ def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:
     way = way_of(key)
     if way is not None and first != key and way_of(first) is None:
         again = symbol == f"${solution.construction.readings[first].symbol}$"
-        return Words(f"{'再求 ' * again}{symbol}（{way.zh}）", f"{symbol}{' again' * again} ({way.en})")
+        if again:
+            return Words(f"再用{way.zh}求 {symbol}", f"{symbol} again by {_ARTICLE.get(way.en, '')}{way.en}")
+        return Words(f"{symbol}（{way.zh}）", f"{symbol} ({way.en})")
     return kind + Words("", " ") + Words(*(called(symbol.strip("$"), key, lang) for lang in ("zh", "en")))
 
 
