@@ -24,7 +24,7 @@ from .statement.asked import asked, repeated
 from .statement.conventions import conventions
 from .statement.in_table import OTHERS, in_table, in_table_words
 from .statement.meant import meant_by
-from .statement.shortened import shortened
+from .statement.shortened import as_told
 from .statement.structure import numbering, structure
 from .values import called, value
 
@@ -58,7 +58,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
     problem = solution.problem
     data = problem.given.data if data is None else data
     comma = "，" if lang == "zh" else ", "
-    given = [shortened(d.of(lang)) for d in data]
+    given = [as_told(d, lang) for d in data]
     if isinstance(problem.subject, Mechanism):
         given.insert(0, pivots(problem.subject).of(lang))
     return {

@@ -22,6 +22,7 @@ from ..solution import REPEATS, Solution
 from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.checks import check_tables, check_words, unlisted
+from .answers.moved import moved_verdict
 from .answers.verdict import verdict_of
 from .content import Objects, beside_tables, by_rank, cautions, conclusions
 from .flow.blocks import Callout
@@ -42,7 +43,7 @@ from .steps.sections import sections
 from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
-from .verdicts import judged_by, verdicts
+from .verdicts import concluded, judged_by, verdicts
 from .verification import as_moved, beside_exact, heads_told
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
@@ -219,6 +220,8 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", printed) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
+        "concluded": concluded(checked, lang),
+        "missed": moved_verdict(solution, lang),
         "answer": objects.add("ans", answer),
         "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
