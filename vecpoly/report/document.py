@@ -212,7 +212,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         ),
         "sections": with_plates(sections(solution, lang, objects), names, homes),
         "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
-        "placed": check_words(solution, lang),
+        "alone": check_words(solution, lang),
         "verdict": verdict_of(solution, lang),
         "unlisted": unlisted(solution),
         "counts": by_rank(solution, lang),

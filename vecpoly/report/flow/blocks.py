@@ -40,6 +40,7 @@ class _Head(Para):
     """A heading of any level; it stays with what follows."""
 
     keepWithNext = 1
+    airy = 0.7
 
     def __init__(self, text: str, level: int, lang: Lang) -> None:
         super().__init__(text, HEADINGS[level - 1], lang)
@@ -106,6 +107,9 @@ class Callout(Block):
         self._para.drawOn(canv, self._PAD + 4.0, self._PAD / 2)
 
 
+_UNDER, _UNDER_SKETCH = 2.0, 6.0  # pt between a figure and its caption; under a sketch, which may end with a ground
+
+
 class Drawing(Block):
     """A figure of true size, or a sketch, drawn by a callback at its lower left corner, centred, captioned below."""
 
@@ -128,7 +132,8 @@ class Drawing(Block):
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""
         self.width = max(width, self.size[0])
-        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + 2.0 if self._caption else 0.0)
+        under = _UNDER_SKETCH if self._sketch else _UNDER
+        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + under if self._caption else 0.0)
         return width, self.height
 
     def draw(self) -> None:
