@@ -17,6 +17,7 @@ from vecpoly.report.answers.notes import stands_still
 from vecpoly.report.answers.verdict import verdict_of
 from vecpoly.report.content import Objects
 from vecpoly.report.flow.blocks import Plate
+from vecpoly.report.flow.results.abreast import Abreast
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.plates.bound import pages
 from vecpoly.report.steps.lines import displayed, with_results
@@ -83,6 +84,20 @@ def test_the_check_ends_with_what_it_comes_to(name: str) -> None:
         for off, unit, error in _AMOUNT.findall(told):
             seen = {off, off + unit.strip()} & cells and {error, error + unit.strip()} & cells
             assert seen or not rows, (off, error)
+
+
+def test_reactions_in_a_row_that_are_equal_have_one_line_and_one_row() -> None:
+    solution, objects = solve(load("4-6")), Objects()
+    told = [step for part in sections(solution, "en", objects) for step in part["steps"] if step["n"] == 14]
+    lines = [
+        plain(objects.named[ref].nodes[0] if isinstance(objects.named[ref], Abreast) else objects.named[ref])
+        for step in told
+        for ref in step["formulas"]
+    ]
+    assert sum(line.endswith("= 659 N") for line in lines) == 3, "measured twice, then one chain"
+    assert lines[-1] == "R_21 = R_32 = R_12 = R_23 = R_43 = 659 N"
+    (table,) = check_tables(solution, "en")
+    assert [row[0] for row in table.rows if row[2] == "659"] == ["$R_{12}$, $R_{32}$, $R_{23}$, $R_{43}$"]
 
 
 def test_the_largest_deviation_is_named_with_what_was_expected() -> None:

@@ -4,6 +4,7 @@ stands in the box of answers with no way to it, a place or a zero of which the s
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 from ...algebra.formula import Node, Row, Sym, Txt, plain
 from ...board.construction import Step
@@ -14,12 +15,35 @@ from ..answers.notes import stands_still
 
 _COLONS = ("：", ":")
 _MOST = 4  # lines in a sentence
+_LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
 
 def displayed(step: Step, solution: Solution) -> tuple[Node, ...]:
     """The lines of a step that are set as formulas; each ends with the number that is gone on with."""
     left = _left(step, solution)
     return () if _in_sentence(step, left) else tuple(map(_once, left))
+
+
+def chained(lines: Sequence[Node]) -> Iterator[Node]:
+    """Lines in a row that say of one value after another that it is the same, R_32 = R_21 = 659 N, R_23 = R_12 = 659 N,
+    as one: R_21 = R_32 = R_12 = R_23 = 659 N."""
+    for end, some in groupby(lines, key=_end_of_chain):
+        run = list(some)
+        if end is None or len(run) == 1:
+            yield from run
+            continue
+        symbols = {plain(one): one for line in run if isinstance(line, Row) for one in (line.items[2], line.items[0])}
+        linked = [item for one in symbols.values() for item in (one, Txt(EQUALS))]
+        yield Row((*linked[:-1], Txt(end)))
+
+
+def _end_of_chain(line: Node) -> str | None:
+    """The end of symbol = symbol = value; None of another line."""
+    match line:
+        case Row((_, Txt(text), Row() | Sym(), Txt(end))) if text == EQUALS and end.startswith(EQUALS):
+            return end if plain(line).count(EQUALS) == _LINKS and plain(line.items[2]).isidentifier() else None
+        case _:
+            return None
 
 
 def _once(line: Node) -> Node:
