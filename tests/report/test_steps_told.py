@@ -18,11 +18,13 @@ from vecpoly.report.answers.verdict import verdict_of
 from vecpoly.report.content import Objects
 from vecpoly.report.flow.blocks import Plate
 from vecpoly.report.flow.results.abreast import Abreast
+from vecpoly.report.flow.style import BODY
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.plates.bound import pages
 from vecpoly.report.steps.lines import displayed, with_results
 from vecpoly.report.steps.sections import sections
 from vecpoly.solution import solve
+from vecpoly.typeset.layout import layout
 from vecpoly.words import Lang, bare
 
 LANGS: tuple[Lang, ...] = ("zh", "en")
@@ -98,6 +100,17 @@ def test_reactions_in_a_row_that_are_equal_have_one_line_and_one_row() -> None:
     assert lines[-1] == "R_21 = R_32 = R_12 = R_23 = R_43 = 659 N"
     (table,) = check_tables(solution, "en")
     assert [row[0] for row in table.rows if row[2] == "659"] == ["$R_{12}$, $R_{32}$, $R_{23}$, $R_{43}$"]
+
+
+@each(DRAFTED)
+def test_lines_that_reckon_the_same_of_many_bodies_stand_two_by_two(name: str) -> None:
+    solution, objects = drafted(name), Objects()
+    for part in sections(solution, "en", objects) if solution is not None else ():
+        for step in part["steps"]:
+            lines = [one for ref in step["formulas"] if isinstance(one := objects.named[ref], Row)]
+            forms = {re.sub(r"_\w+|[\d.]+", "", plain(line)) for line in lines}
+            wide = any(layout(line, BODY.em).width > 78.0 for line in lines)
+            assert len(lines) < 4 or len(forms) > 2 or wide, plain(lines[0])
 
 
 def test_the_largest_deviation_is_named_with_what_was_expected() -> None:

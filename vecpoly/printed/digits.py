@@ -171,11 +171,8 @@ def on_paper(answer: Answer) -> str:
 def coordinates(answer: Answer) -> int:
     """The decimals of a place in mm: as many as were read, up to those that the expected error leaves certain."""
     at, error = answer.drawn_vector or 0j, 1e3 * _error(answer)
-    least = 1 if answer.expected_error < 1e-3 else 0
     finest = max(1, min(_FINEST, places_of(error))) if error else _FINEST
-    return next(
-        (n for n in range(least, finest) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), finest
-    )
+    return next((n for n in range(1, finest) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), finest)
 
 
 def _falls_on(mm: float, places: int) -> bool:

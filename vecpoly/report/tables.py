@@ -8,6 +8,7 @@ from math import isfinite
 
 from ..algebra.columns import padded
 from ..algebra.quantity import number
+from ..algebra.rounding import places_of
 from ..board.construction import Listing
 from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..drawing.hues import ink_called
@@ -184,8 +185,14 @@ def _as_told(checked: Checked) -> str:
     told = _NUMBER_UNIT.fullmatch(as_printed(printed.text, "en").replace("*", "·"))
     if told is None or printed.scale or not printed.value or is_angle(printed):
         return ""
-    figures = _figures(checked)
-    return f"{number(checked.exact * float(told[1].replace('−', '-')) / printed.value, figures)} {told[2]}"
+    exact = number(checked.exact * float(told[1].replace("−", "-")) / printed.value, _figures(checked))
+    return f"{_as_fine(exact, told[1])} {told[2]}"
+
+
+def _as_fine(exact: str, printed: str) -> str:
+    """The exact value with no fewer decimals than the printed one: 284.80 beside 284.82; not of a whole number."""
+    short = places_of(printed) - places_of(exact)
+    return exact + "0" * short if short > 0 and "." in exact and "×" not in exact else exact
 
 
 def symbol_of(checked: Checked) -> str:

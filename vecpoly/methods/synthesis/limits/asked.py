@@ -122,11 +122,11 @@ def _cranks(draft: Draft, a: Points, ends: tuple[Points, Points], crank: Reals) 
 
 def _advance(draft: Draft, a: Points, ends: tuple[Points, Points], other: Words) -> None:
     """θ = ∠C₁AC₂ by protractor, K = (180° + θ) / (180° − θ); other: what else is read between the limits."""
-    theta = Words(
+    between = Words(
         "两极限位置时连杆线 $AC_1$、$AC_2$ 的夹角即极位夹角 $θ$，",
         "The angle between $AC_1$ and $AC_2$, the coupler's lines in both limits, is $θ$, ",
     )
-    draft.board.step(theta + other, SHEET)
+    draft.board.step(between + other, SHEET)
     theta = draft.stated(draft.of_this(THETA), draft.angle(a, ends[0], ends[1]))
     found(draft, THETA, a, ends)
     draft.worked(draft.of_this(ADVANCE), (HALF_TURN + theta) / (HALF_TURN - theta))
