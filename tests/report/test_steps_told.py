@@ -160,7 +160,9 @@ def test_a_plate_stands_before_the_answer_and_behind_the_section_before_its_last
     names, homes = pages(solution, "zh", objects)
     count = len({step.section.en for step in solution.construction.steps})
     assert homes == sorted(homes) and all(0 <= home < max(1, count) for home in homes)
-    assert all(isinstance(objects.named[one], Plate) for one in names[: len(homes)])
+    stand = [objects.named[one] for one in names]
+    assert all(isinstance(one, Plate) or one.behind == 1 for one in stand[: len(homes)])
+    assert not any(isinstance(one, Plate) for one in stand[len(homes) :])
 
 
 @pytest.mark.parametrize("name", ["3-7d", "3-12"])

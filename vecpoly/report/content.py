@@ -28,6 +28,8 @@ from .statement.shortened import as_told
 from .statement.structure import numbering, structure
 from .values import called, value
 
+_LARGE = 100.0  # mm: from there on a coordinate has tenths
+
 
 @dataclass(slots=True)
 class Objects:
@@ -78,10 +80,16 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
 
 def pivots(mech: Mechanism) -> Words:
     """Where the fixed points are, in mm: a student cannot draw without them."""
-    places = [f"${name}$({number(1e3 * at.real, 6)}, {number(1e3 * at.imag, 6)})" for name, at in mech.frame.items()]
+    places = [f"${name}$({_drawable(at.real)}, {_drawable(at.imag)})" for name, at in mech.frame.items()]
     return Words(
         f"固定点坐标 {'、'.join(places)} mm", f"fixed point{'s' if len(places) > 1 else ''} {', '.join(places)} mm"
     )
+
+
+def _drawable(metres: float) -> str:
+    """A coordinate in mm, as finely as it can be drawn: 303.0 of 303.015."""
+    mm = 1e3 * metres
+    return number(round(mm, 1 if abs(mm) >= _LARGE else 2), 6)
 
 
 def conclusions(solution: Solution, lang: Lang) -> list[str]:

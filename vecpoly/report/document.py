@@ -210,7 +210,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
             lang,
             lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang)),
         ),
-        "sections": with_plates(sections(solution, lang, objects), names, homes),
+        "sections": with_plates(sections(solution, lang, objects), names, homes, objects),
         "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
         "alone": check_words(solution, lang),
         "verdict": verdict_of(solution, lang),

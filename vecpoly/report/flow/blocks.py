@@ -227,6 +227,7 @@ class SheetPage(Block):
     pieces = True
     numbered = True  # under the frame stands the number of the page
     fixed = False  # it never stands before text that comes before it
+    led = False  # a plate is met behind it, which must not come first
 
     def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "", told: bool = False) -> None:
         super().__init__()

@@ -5,7 +5,7 @@ none comes behind the answer that is read off it."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import accumulate, groupby, takewhile
+from itertools import accumulate, groupby
 from typing import Any
 
 from ...board.construction import Construction
@@ -15,18 +15,22 @@ from ...drawing.sheets.sheet import Placed, Sheet, sheets
 from ...solution import Solution
 from ...words import Lang, Words
 from ..content import Objects
-from ..flow.blocks import Plate
+from ..flow.blocks import Plate, SheetPage
 from .page import sheet_page
 
 
 def pages(solution: Solution, lang: Lang, objects: Objects) -> tuple[list[str], list[int]]:
-    """The names of the sheets, without the results, which stand in the box of answers; and of those that open them and
-    are plates, the section (from 0) behind which each stands, in order."""
+    """The names of the sheets, without the results, which stand in the box of answers; and of the plates, and the pages
+    before the last of them, the section (from 0) behind which each stands, in order."""
     construction, problem = solution.construction, solution.problem
     made = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True, bands=False)
     names = bound([with_legend(sheet) for sheet in made], construction, lang, objects)
-    plates = [*takewhile(lambda name: isinstance(objects.named[name], Plate), names)]
-    homes = [_home(sheet, construction) for sheet in made[: len(plates)]]
+    made_of = [objects.named[name] for name in names]
+    count = max((n for n, one in enumerate(made_of, 1) if isinstance(one, Plate)), default=0)
+    for one in made_of[:count]:
+        if isinstance(one, SheetPage):
+            one.behind, one.led = 1, True  # behind the page of text on which it is met
+    homes = [_home(sheet, construction) for sheet in made[:count]]
     return names, [max(0, home - 1) for home in accumulate(homes, max)]
 
 
@@ -37,10 +41,19 @@ def bound(made: Sequence[Sheet], shown: Construction, lang: Lang, objects: Objec
     return [objects.add("sheet", sheet_page(sheet, shown, name)) for sheet in made]
 
 
-def with_plates(sections: Sequence[dict[str, Any]], names: Sequence[str], homes: Sequence[int]) -> list[dict[str, Any]]:
-    """The sections, each with the plates behind it."""
-    told = list(zip(names, homes, strict=False))
-    return [one | {"plates": [name for name, home in told if home == n]} for n, one in enumerate(sections)]
+def with_plates(
+    sections: Sequence[dict[str, Any]], names: Sequence[str], homes: Sequence[int], objects: Objects
+) -> list[dict[str, Any]]:
+    """The sections, each with the plates behind it, and the pages that are met before it."""
+    told = [(name, home, isinstance(objects.named[name], Plate)) for name, home in zip(names, homes, strict=False)]
+    return [
+        one
+        | {
+            "before": [name for name, home, plate in told if home == n and not plate],
+            "plates": [name for name, home, plate in told if home == n and plate],
+        }
+        for n, one in enumerate(sections)
+    ]
 
 
 def _home(sheet: Sheet, construction: Construction) -> int:
