@@ -26,7 +26,7 @@ _ROWS = Words("序号 $i$", "$i$")
 _NONE = "—"
 _SEE = Words("见下表", "see the table")
 OTHERS = Words("；其余数据见下表", "; the other data are in the table")  # behind what stands in the line
-_MANY = 9  # numbers that make a table where they have no columns
+_MANY = 8  # numbers that make a table where they have no columns
 _SCALAR = re.compile(r"\$([^$]+)\$ = (−?[\d.]+)(°|\s?[^\s\d（(][^（(]*)?")
 _HEAD = (Words("符号", "Symbol"), Words("数值", "Value"), Words("单位", "Unit"))
 _BLOCKS = 4  # beside each other, at most

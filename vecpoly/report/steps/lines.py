@@ -15,6 +15,7 @@ from ..answers.notes import stands_still
 
 _COLONS = ("：", ":")
 _MOST = 4  # lines in a sentence
+_UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
 _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
 
@@ -91,6 +92,8 @@ def _told_by_box(step: Step, solution: Solution) -> Iterator[Node]:
     what stands still."""
     asked = {id(one.reading.formula): one for one in solution.answers.values() if one.reading.formula is not None}
     for line in step.formulas:
+        if plain(line).endswith(_UNDEFINED):
+            yield line
         answer = asked.get(id(line))
         if answer is not None and (
             _is_endless(answer) or (_is_bare(line) and (answer.is_place or stands_still(answer)))
