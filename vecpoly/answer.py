@@ -25,9 +25,8 @@ class Answer:
     """One asked quantity: as drawn, exact, and the expected drawing error (3σ of repeated hands), all SI.
 
     drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector,
-    exact_vector:
-    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning. weighed:
-    what the
+    exact_vector: the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of
+    turning. least: so many decimals, if its reading has them, for the sake of others beside it. weighed: what the
     alarm goes by.
     """
 
@@ -40,6 +39,7 @@ class Answer:
     exact_vector: complex | None = None
     exact_acts: LineOfAction | None = None
     turns: bool = False
+    least: int = 0
     weighed: Weighed
 
     @property

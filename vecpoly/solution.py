@@ -28,6 +28,7 @@ from .methods.drawn import Drawn
 from .methods.plan import drawn_beside
 from .plane import nominal
 from .printed.steps import as_printed
+from .printed.uniform import uniform
 from .problem.problem import Problem, Scales
 from .task import Task, task_of
 from .weighed import answers_of
@@ -127,7 +128,7 @@ def solve(
     amended = amend(readings, points, slip)
     drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts, readings)
-    answers = answers_of(task, drawn, off, size, scatters=by == "pencil", judged=bool(repeats))
+    answers = uniform(answers_of(task, drawn, off, size, scatters=by == "pencil", judged=bool(repeats)))
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(
             problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch

@@ -229,8 +229,10 @@ def test_deviations_of_many_sizes_stand_in_thousandths_which_the_heads_say() -> 
     assert in_thousandths(["Quantity", "Deviation", "3σ"], large, (1, 2))[1] == large
 
 
-def test_expected_errors_of_ten_per_cent_have_a_decimal_beside_those_of_one() -> None:
-    assert alike([0.27, 1.01, 6.46, 10.34]) == ["0.27", "1.01", "6.46", "10.3"]
+def test_expected_errors_under_each_other_have_as_many_decimals_unless_they_are_of_quite_different_sizes() -> None:
+    assert alike([0.27, 1.01, 6.46]) == ["0.27", "1.01", "6.46"]
+    assert alike([0.27, 1.01, 6.46, 10.34]) == ["0.3", "1.0", "6.5", "10.3"]
+    assert alike([0.0002, 35.0]) == ["0.00020", "35.0"]
 
 
 def test_where_no_other_position_is_drawn_there_is_no_table_of_them() -> None:

@@ -57,7 +57,9 @@ def test_every_quantity_asked_stands_in_the_line_of_what_is_asked(name: str) -> 
 )
 def test_a_long_list_of_questions_is_told_by_kinds(name: str, kinds: tuple[str, ...]) -> None:
     parts = statement(drawn(name).solution, "zh")["asked"].split("；")
-    assert [part.split(" ")[0] for part in parts][: len(kinds)] == list(kinds)
+    numbered = [f"({n}) " for n in range(1, len(parts) + 1)]
+    assert all(part.startswith(number) for part, number in zip(parts, numbered, strict=True))
+    assert [part.split(" ")[1] for part in parts][: len(kinds)] == list(kinds)
 
 
 def test_a_short_list_is_told_as_it_is() -> None:

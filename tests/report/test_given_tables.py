@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from typing import get_args
+
 import pytest
 
+from tests.drawn_library import DRAFTED, drafted
+from tests.each import each
 from tests.lawful import CARD, ENGINE, slider
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
+from vecpoly.report.content import beside_tables
 from vecpoly.report.tables import MOST_GIVEN, given_tables
+from vecpoly.solution import solve
 from vecpoly.words import Lang
+
+LANGS = get_args(Lang)
 
 
 def shown(problem: Problem) -> list[tuple[str, str]]:
@@ -39,6 +48,31 @@ def test_a_table_that_would_fill_pages_is_not_printed() -> None:
     long = f"columns: [s (mm), p (MPa)], rows: [{rows}]"
     assert not given_tables(slider(ENGINE.replace(CARD, long)), "en")
     assert len(given_tables(slider(ENGINE), "en")) == 1
+
+
+@each(DRAFTED)
+def test_many_given_numbers_stand_in_a_table_and_no_number_twice(name: str) -> None:
+    solution = drafted(name)
+    for lang in LANGS if solution is not None else ():
+        assert solution is not None
+        told, tables = beside_tables(solution, lang)["given"], given_tables(solution.problem, lang)
+        assert len(re.findall(r"\$ = −?[\d.]+(?:°| \S+)?[，,]", told)) < 12, told
+        for table in tables:
+            symbols = {cell for row in table.rows for cell in row if cell.startswith("$")}
+            assert not [one for one in symbols if f"{one} = " in told]
+
+
+def test_a_datum_with_a_sense_stays_in_the_line_and_the_others_have_symbol_value_and_unit() -> None:
+    problem = load("jansen-leg")
+    (table,) = given_tables(problem, "en")
+    assert table.header[:3] == ("Symbol", "Value", "Unit") and table.rows[0][:3] == ("$l_AB$", "15", "mm")
+    told = beside_tables(solve(problem, repeats=20), "en")["given"]
+    assert "5 rad/s (counter-clockwise)" in told and told.endswith("the other data are in the table")
+
+
+def test_places_are_given_in_one_notation_and_directions_say_what_they_are() -> None:
+    told = beside_tables(solve(load("8-10"), repeats=20), "en")["given"]
+    assert told.startswith("$A$ = (0, 0) mm, directions of $CI$ in its positions $φ_{CI}$ = 150°, 180°")
 
 
 def test_a_problem_without_a_table_has_none() -> None:

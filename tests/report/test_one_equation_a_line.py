@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from tests.laws import few
 from vecpoly.algebra.formula import Row, Sym, Txt, plain
-from vecpoly.report.content import Objects, sections
+from vecpoly.report.answers.alike import lines_of_twins
+from vecpoly.report.content import Objects
 from vecpoly.report.flow.base import Tightness
 from vecpoly.report.flow.formula import Formula, in_columns
 from vecpoly.report.flow.para import Para
 from vecpoly.report.flow.results.abreast import Abreast, abreast
+from vecpoly.report.steps.lines import chained, displayed
+from vecpoly.report.steps.sections import sections
 from vecpoly.typeset.box import MM
 
 ROOM = 170.0 * MM
@@ -36,9 +41,20 @@ def relations(made: list[Formula]) -> list[float]:
 def test_a_step_sets_each_of_its_equations_by_itself(name: str) -> None:
     solution, objects = drawn(name).solution, Objects()
     told = [step for section in sections(solution, "zh", objects) for step in section["steps"]]
-    counts = [sum(len(_set_in(objects.named[ref])) for ref in step["formulas"]) for step in told]
-    assert counts == [len(step.formulas) for step in solution.construction.steps]
+    counts = {step["n"]: sum(len(_set_in(objects.named[ref])) for ref in step["formulas"]) for step in told}
+    twins = lines_of_twins(solution, "zh")
+    shown = {
+        step.number: len([*chained([twins.get(id(one), one) for one in displayed(step, solution)])])
+        for step in solution.construction.steps
+    }
+    assert counts == {number: shown[number] if counts[number] else 0 for number in counts}
+    assert all(counts[number] or number in _runs(told, objects) for number in counts if shown[number])
     assert not any(",\u2003" in plain(line) for step in solution.construction.steps for line in step.formulas)
+
+
+def _runs(told: list[dict[str, Any]], objects: Objects) -> set[int]:
+    """The numbers of the steps that open a table of like steps."""
+    return {step["n"] for step in told if step["table"] and not step["formulas"] and not step["equation"]}
 
 
 def _set_in(made: object) -> tuple[object, ...]:

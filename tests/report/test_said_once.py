@@ -63,7 +63,7 @@ def test_whatever_was_read_is_checked_and_what_is_computed_has_no_row(name: str)
     if solution is None:
         return
     every, told = [row for table in check_tables(solution, "en") for row in table.rows], check_words(solution, "en")
-    rows = {symbol: row for row in every for symbol in row[0].replace("$ = $", "$|$").split("|")}
+    rows = {symbol: row for row in every for symbol in re.split(r"(?<=\$) = |(?<=[$)]), ", row[0])}
     listed = {one.key for one in checked(solution)}
     for answer in solution.answers.values():
         read = answer.expected_error > 1e-9 * abs(answer.exact)

@@ -75,11 +75,17 @@ class EquationTable:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Listing:
-    """What is read at many places, as a table: column heads with inline formulas, and rows of printed numbers."""
+    """What is read at many places, as a table: column heads with inline formulas, and rows of printed numbers.
+
+    told: of a row for a table that like steps share, the sentence of the step, in whose place it may stand; lead: what
+    that table says of all of them.
+    """
 
     head: tuple[Words, ...]
     rows: tuple[tuple[str, ...], ...]
     blocks: int = 3  # beside each other on a page, at most
+    told: Words | None = None
+    lead: Words = Words.same("")
 
     def abreast(self, blocks: int) -> Listing:
         """The same in several blocks of columns beside each other, so that a long table is a short one."""
@@ -99,7 +105,8 @@ class Step:
     """One numbered step: a sentence, and what belongs to it:
     an equation table, formulas, the figure it was drawn in, what is read at many places.
 
-    written: of each formula, how many acts had been done on the sheet when it was written.
+    written: of each formula, how many acts had been done on the sheet when it was written. row: of a table that like
+    steps share.
     """
 
     number: int
@@ -109,7 +116,12 @@ class Step:
     formulas: tuple[Node, ...] = ()
     view: Place | None = None
     listing: Listing | None = None
+    row: Listing | None = None
     written: tuple[int, ...] = ()
+
+    def tabled(self, listing: Listing) -> Step:
+        """The step with this table, or its row in one of like steps."""
+        return replace(self, listing=listing) if listing.told is None else replace(self, row=listing)
 
 
 def _toned(step: Step, found: Mapping[str, int]) -> Step:

@@ -117,8 +117,8 @@ class Log:
         return next((act.number for act in inside if isinstance(act, LayOff) and act.key == key), None)
 
     def tabulate(self, listing: Listing) -> None:
-        """Write a table into the step."""
-        self.steps[-1] = replace(self.steps[-1], listing=listing)
+        """Write a table into the step, or its row in one of like steps."""
+        self.steps[-1] = self.steps[-1].tabled(listing)
 
     @property
     def here(self) -> Place | None:

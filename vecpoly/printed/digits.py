@@ -8,6 +8,7 @@ from math import floor, isfinite, log10
 from ..algebra.columns import places_of
 from ..algebra.formula import Row
 from ..algebra.quantity import number
+from ..algebra.rounding import places_of as decimals_of
 from ..algebra.rounding import to_figures, to_places
 from ..answer import YES_NO, Answer
 from .lengths import is_length
@@ -56,7 +57,8 @@ def rounded(value: float, places: int | None, most: int) -> str:
 
 
 def decimals(answer: Answer) -> int | None:
-    """So many that the last one is worth what was read; None of what is computed or counted.
+    """So many that the last one is worth what was read; of what is computed, the figures of a result at least; None of
+    pure numbers that are computed or counted.
 
     What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor. What
     is read off as a length has the figures of its reading. None ends with a digit that is worth less than its expected
@@ -64,12 +66,27 @@ def decimals(answer: Answer) -> int | None:
     what is hardly read has one.
     """
     places, error = _places(answer), printed_unit(answer.reading.unit)[0] * _error(answer)
+    if answer.computed and printed_unit(answer.reading.unit)[1] and answer.reading.unit != YES_NO:
+        return _whole_figures(places, printed_unit(answer.reading.unit)[0] * answer.drawn, answer.reading.unit == "deg")
     if places is None or not error or not answer.drawn or answer.reading.unit == "deg":
         return places
     drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
     if is_hopeless(answer):
         return min(places, _places_for(drawn, 1))
-    return min(places, max(places_of(error), _places_for(drawn, _READ + leads_with_1(drawn))))
+    return min(places, max(places_of(error), _places_for(drawn, _READ + leads_with_1(drawn)), _beside(answer, drawn)))
+
+
+def _beside(answer: Answer, drawn: float) -> int:
+    """The decimals of others beside it, as far as its reading has so many figures."""
+    return min(answer.least, _places_for(drawn, figures_read(drawn, answer.reading.mm or 0.0)))
+
+
+def _whole_figures(places: int | None, value: float, angle: bool) -> int | None:
+    """The decimals of a computed value, 0.5 m/s, beside those that are read: 0.500; of an angle a tenth at least."""
+    if not isfinite(value) or abs(value) < LEAST:
+        return places
+    own = decimals_of(number(value, MOST)) if places is None else places
+    return max(own, 1 if angle else _places_for(value, _READ))
 
 
 def _places(answer: Answer) -> int | None:
@@ -154,11 +171,8 @@ def on_paper(answer: Answer) -> str:
 def coordinates(answer: Answer) -> int:
     """The decimals of a place in mm: as many as were read, up to those that the expected error leaves certain."""
     at, error = answer.drawn_vector or 0j, 1e3 * _error(answer)
-    least = 1 if answer.expected_error < 1e-3 else 0
     finest = max(1, min(_FINEST, places_of(error))) if error else _FINEST
-    return next(
-        (n for n in range(least, finest) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), finest
-    )
+    return next((n for n in range(1, finest) if all(_falls_on(1e3 * part, n) for part in (at.real, at.imag))), finest)
 
 
 def _falls_on(mm: float, places: int) -> bool:

@@ -3,15 +3,10 @@ plain words, and names of the objects (tables, equations, drawings) to be set.""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import groupby
-from typing import Any
 
-from ..algebra.formula import Node
 from ..algebra.quantity import number
-from ..board.construction import Step
 from ..check.designs.found_words import all_ill_conditioned, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
@@ -22,19 +17,18 @@ from ..problem.asked.asks import AskCoriolis, AskNamed
 from ..problem.values.given import Datum
 from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, joined, label
-from .answers.alike import lines_of_twins
 from .answers.asked_in_words import answered_in_words
 from .answers.tables import counted
-from .flow.results.abreast import abreast
-from .on_paper import on_paper
 from .sources import printed_source
 from .statement.asked import asked, repeated
 from .statement.conventions import conventions
-from .statement.in_table import in_table, in_table_words
+from .statement.in_table import OTHERS, in_table, in_table_words
 from .statement.meant import meant_by
+from .statement.shortened import as_told
 from .statement.structure import numbering, structure
-from .tables import listed
 from .values import called, value
+
+_LARGE = 100.0  # mm: from there on a coordinate has tenths
 
 
 @dataclass(slots=True)
@@ -54,7 +48,11 @@ def beside_tables(solution: Solution, lang: Lang) -> dict[str, str]:
     """The same where what is given stands in tables too (`given_tables`): the line has the rest."""
     data, table = in_table(solution.problem, lang)
     told = statement(solution, lang, None if table is None else data)
-    return told if told["given"] or table is None else told | {"given": in_table_words(solution.problem, lang)}
+    if table is None:
+        return told
+    return told | {
+        "given": (told["given"] + OTHERS.of(lang)) if told["given"] else in_table_words(solution.problem, lang)
+    }
 
 
 def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = None) -> dict[str, str]:
@@ -62,7 +60,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
     problem = solution.problem
     data = problem.given.data if data is None else data
     comma = "，" if lang == "zh" else ", "
-    given = [shortened(d.of(lang)) for d in data]
+    given = [as_told(d, lang) for d in data]
     if isinstance(problem.subject, Mechanism):
         given.insert(0, pivots(problem.subject).of(lang))
     return {
@@ -80,26 +78,18 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
     } | conventions(solution)
 
 
-_LONG = re.compile(r"(?<![\w.])(\d+\.\d+)(?= (mm)|[^\d.]|$)")
-_FIGURES = {"mm": 4}  # of a length; of other data one more
-
-
-def shortened(text: str) -> str:
-    """Given numbers to as many figures as can be drawn: 207.6 mm of 207.647 mm."""
-    return _LONG.sub(lambda found: _to_figures(found[1], _FIGURES.get(found[2] or "", 5)), text)
-
-
-def _to_figures(text: str, most: int) -> str:
-    digits = len(text.replace(".", "").lstrip("0"))
-    return text if digits <= most else number(float(text), most)
-
-
 def pivots(mech: Mechanism) -> Words:
     """Where the fixed points are, in mm: a student cannot draw without them."""
-    places = [f"${name}$({number(1e3 * at.real, 6)}, {number(1e3 * at.imag, 6)})" for name, at in mech.frame.items()]
+    places = [f"${name}$({_drawable(at.real)}, {_drawable(at.imag)})" for name, at in mech.frame.items()]
     return Words(
         f"固定点坐标 {'、'.join(places)} mm", f"fixed point{'s' if len(places) > 1 else ''} {', '.join(places)} mm"
     )
+
+
+def _drawable(metres: float) -> str:
+    """A coordinate in mm, as finely as it can be drawn: 303.0 of 303.015."""
+    mm = 1e3 * metres
+    return number(round(mm, 1 if abs(mm) >= _LARGE else 2), 6)
 
 
 def conclusions(solution: Solution, lang: Lang) -> list[str]:
@@ -211,21 +201,3 @@ def scales(solution: Solution, lang: Lang) -> str:
 def _begun(title: str) -> str:
     """A title within a sentence."""
     return title[:1].lower() + title[1:] if title[1:2].islower() or title[1:2] == " " else title
-
-
-def sections(solution: Solution, lang: Lang, objects: Objects) -> list[dict[str, Any]]:
-    """The numbered steps under their headings."""
-    out, same = [], lines_of_twins(solution, lang)
-    for title, steps in groupby(solution.construction.steps, key=lambda s: s.section.of(lang)):
-        out.append({"title": title, "steps": [_step(s, solution, lang, objects, same) for s in steps]})
-    return out
-
-
-def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Mapping[int, Node]) -> dict[str, Any]:
-    return {
-        "n": step.number,
-        "words": on_paper(step.words.of(lang), solution),
-        "equation": objects.add("eq", step.equation) if step.equation else "",
-        "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
-        "formulas": [objects.add("f", one) for one in abreast([same.get(id(node), node) for node in step.formulas])],
-    }

@@ -4,7 +4,6 @@ which is set with drawn figures, tables and formulas."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +12,7 @@ from jinja2 import TemplateNotFound
 from ..board.construction import Construction
 from ..check.printed.answers import check_problem
 from ..designs.base import Design
-from ..drawing.legend.on_sheet import with_legend
-from ..drawing.sheets.sheet import Sheet, hung, sheets
+from ..drawing.sheets.sheet import hung
 from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..foundation.arguments import known_language, of_kind
 from ..foundation.data import data_dir
@@ -24,8 +22,10 @@ from ..solution import REPEATS, Solution
 from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.checks import check_tables, check_words, unlisted
-from .content import Objects, beside_tables, by_rank, cautions, conclusions, sections
-from .flow.blocks import Callout, Plate
+from .answers.moved import moved_verdict
+from .answers.verdict import verdict_of
+from .content import Objects, beside_tables, by_rank, cautions, conclusions
+from .flow.blocks import Callout
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
 from .flow.table import DataTable
@@ -33,16 +33,17 @@ from .flow.xml import to_flowables
 from .identity import identity
 from .lines import lines_table
 from .picture import diagram, to_scale
-from .plates.page import sheet_page
+from .plates.bound import bound, pages, with_plates
 from .plates.sketch import LETTERED, sketch_of
 from .printed_tables import printed_tables
 from .question.content import question
 from .question.framed.frames import frames
 from .question.sketch import sketched
+from .steps.sections import sections
 from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
-from .verdicts import judged_by, verdicts
+from .verdicts import concluded, judged_by, verdicts
 from .verification import as_moved, beside_exact, heads_told
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
@@ -187,7 +188,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     if style == "question":
         blank, places = frames(solution.construction, solution.problem)
         made = hung(blank, places, of=solution.problem.paper.format, lang=lang, title=solution.problem.title)
-        return common | question(solution, blank, lang, objects) | {"frames": _bound(made, blank, lang, objects)}
+        return common | question(solution, blank, lang, objects) | {"frames": bound(made, blank, lang, objects)}
     return common | _solved(solution, lang, objects)
 
 
@@ -197,7 +198,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     blocks = diagram(solution.construction)
     answer = answer_box(solution, lang, conclusions(solution, lang))
     printed, (verified, moved) = printed_table(checked.answers, lang), as_moved(solution, lang)
-    bound = [] if blocks or _repeats(solution.construction) else _pages(solution.construction, solution, lang, objects)
+    names, homes = ([], []) if blocks or _repeats(solution.construction) else pages(solution, lang, objects)
     return {
         "moved": moved,
         "verified": objects.add("tab", verified) if verified else "",
@@ -209,20 +210,23 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
             lang,
             lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang)),
         ),
-        "sections": sections(solution, lang, objects),
+        "sections": with_plates(sections(solution, lang, objects), names, homes, objects),
         "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
-        "placed": check_words(solution, lang),
+        "alone": check_words(solution, lang),
+        "verdict": verdict_of(solution, lang),
         "unlisted": unlisted(solution),
         "counts": by_rank(solution, lang),
         "directed": answer.directed,
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", printed) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
+        "concluded": concluded(checked, lang),
+        "missed": moved_verdict(solution, lang),
         "answer": objects.add("ans", answer),
         "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
-        "sheets": bound,
-        "plates": [*takewhile(lambda name: isinstance(objects.named[name], Plate), bound)],
+        "sheets": names,
+        "plates": names[: len(homes)],
     } | judged_by(checked.answers)
 
 
@@ -230,17 +234,3 @@ def _repeats(construction: Construction) -> bool:
     """Whether a sheet would only show the sketch beside the statement once more."""
     figures = construction.figures
     return len(figures) == 1 and not to_scale(figures[0])
-
-
-def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[str]:
-    """The sheets of a construction, each put among the objects of the report, whose box of answers has the results."""
-    problem = solution.problem
-    made = sheets(construction, lang=lang, title=problem.title, on=problem.paper, plates=True, bands=False)
-    return _bound([with_legend(sheet) for sheet in made], construction, lang, objects)
-
-
-def _bound(made: Sequence[Sheet], shown: Construction, lang: Lang, objects: Objects) -> list[str]:
-    """These sheets among the objects; shown: of blank ones the blank figures, so that no word gives away the others."""
-    number = shown.problem
-    name = Words(f"图纸：题 {number}", f"Sheet: problem {number}").of(lang)
-    return [objects.add("sheet", sheet_page(sheet, shown, name)) for sheet in made]

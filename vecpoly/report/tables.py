@@ -8,6 +8,7 @@ from math import isfinite
 
 from ..algebra.columns import padded
 from ..algebra.quantity import number
+from ..algebra.rounding import places_of
 from ..board.construction import Listing
 from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..drawing.hues import ink_called
@@ -30,6 +31,7 @@ _PRINTED = {
 _OFF, _OFF_ANGLE = 3, Words("偏差 /°", "Deviation /°")  # column; the head of that of angles
 _NUMBER_UNIT = re.compile(r"([+−-]?\d+(?:\.\d+)?) ?([^\d\s.(（]\S*)")
 _UNIT = Words("单位", "Unit")
+_NUMBER, _EXACT = re.compile(r"\d+(?:\.\d+)?"), 4  # figures of an exact value beside a printed one, at least
 _NONE = "—"
 _SENSE, _TURNING = re.compile(r"cw\b|[顺逆]"), (Words("顺时针", "clockwise"), Words("逆时针", "counter-clockwise"))
 _MANIFOLD = 2.0  # share off from which a deviation is told as a factor
@@ -162,12 +164,19 @@ def _exact_like(checked: Checked, lang: Lang) -> str:
     """The exact value with its unit."""
     rel = checked.printed.rel
     if rel is None or is_place(rel):
-        return f"{number(checked.exact, 5)} m"
-    text = _as_told(checked) or value(checked.exact, rel.unit, lang, digits=5)
+        return f"{number(checked.exact, _figures(checked))} m"
+    text = _as_told(checked) or value(checked.exact, rel.unit, lang, digits=_figures(checked))
     if not checked.exact or not _SENSE.search(checked.printed.text):
         return text
     told = _TURNING[checked.exact > 0].of(lang)  # as the printed one has its sense
     return text.lstrip("−") + (f"（{told}）" if lang == "zh" else f" ({told})")
+
+
+def _figures(checked: Checked) -> int:
+    """Of the exact value beside a printed one: one more than that has, so that the last can be judged."""
+    found = _NUMBER.search(checked.printed.text)
+    own = 0 if found is None else len(found[0].replace(".", "").lstrip("0"))
+    return max(_EXACT, own + 1)
 
 
 def _as_told(checked: Checked) -> str:
@@ -176,8 +185,14 @@ def _as_told(checked: Checked) -> str:
     told = _NUMBER_UNIT.fullmatch(as_printed(printed.text, "en").replace("*", "·"))
     if told is None or printed.scale or not printed.value or is_angle(printed):
         return ""
-    figures = max(5, len(told[1].replace(".", "").lstrip("+−-0")))  # no fewer than the book has
-    return f"{number(checked.exact * float(told[1].replace('−', '-')) / printed.value, figures)} {told[2]}"
+    exact = number(checked.exact * float(told[1].replace("−", "-")) / printed.value, _figures(checked))
+    return f"{_as_fine(exact, told[1])} {told[2]}"
+
+
+def _as_fine(exact: str, printed: str) -> str:
+    """The exact value with no fewer decimals than the printed one: 284.80 beside 284.82; not of a whole number."""
+    short = places_of(printed) - places_of(exact)
+    return exact + "0" * short if short > 0 and "." in exact and "×" not in exact else exact
 
 
 def symbol_of(checked: Checked) -> str:

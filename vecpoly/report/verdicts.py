@@ -8,8 +8,8 @@ from ..check.printed.answers import PrintedCheck
 from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..names import Key
 from ..solution import Solution
-from ..words import Lang, Words, stopped
-from .tables import counted, symbol_of
+from ..words import Lang, Words, joined, stopped
+from .tables import counted, percent, symbol_of
 
 _HEADINGS = {
     "fail": Words("总评：", "On the whole: "),
@@ -19,7 +19,7 @@ _HEADINGS = {
 }
 
 
-_AGREE = Words("原书答案与精确值相符。", "The textbook answers agree with the exact values.")
+_AGREE = Words("原书答案与精确值相符", "The textbook answers agree with the exact values")
 _SAME = Words("各计数均与原书答案一致。", "All counts agree with the textbook answers.")
 _GAP: dict[Lang, str] = {"zh": "　", "en": "  "}
 _AFTER: dict[Lang, str] = {"zh": "", "en": " "}
@@ -41,7 +41,9 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
         and not said
         and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers)
     ):
-        said.append(("pass", (_SAME if all(map(counted, checked.answers)) else _AGREE).of(lang)))
+        largest = _largest(checked.answers)
+        same = all(map(counted, checked.answers))
+        said.append(("pass", (_SAME if same else _AGREE + largest + Words("。", ".")).of(lang)))
     said += [("note", e.of(lang)) for e in solution.problem.errata]
     boxes = [
         (kind, _HEADINGS[kind].of(lang), _listed([text for k, text in said if k == kind], lang))
@@ -50,6 +52,42 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
     if checked.whole is not None:  # one error, which the others tell of: one box
         return [("fail", _GAP[lang].join(f"**{head.strip()}**{_AFTER[lang]}{text}" for _, head, text in boxes))]
     return [(kind, head + text) for kind, head, text in boxes]
+
+
+def concluded(checked: PrintedCheck, lang: Lang) -> str:
+    """How many of the answers agree, and which do not, in a sentence under their table; nothing where all agree, or
+    together they cannot be."""
+    off = [c for c in checked.answers if c.verdict in (Verdict.OUTLIER, Verdict.WRONG)]
+    if not off or checked.whole is not None:
+        return ""
+    count, right = len(checked.answers), len(checked.answers) - len(off)
+    if not right:
+        none = Words(f"原书 {count} 个答案均与精确值不符。", f"None of the {count} textbook answers agrees.")
+        return none.of(lang) if count > 1 else ""
+    parts = [
+        joined([Words.same(f"${symbol_of(c)}$") for c in some])
+        for verdict in (Verdict.OUTLIER, Verdict.WRONG)
+        if (some := [c for c in off if c.verdict is verdict])
+    ]
+    heads = [v.words for v in (Verdict.OUTLIER, Verdict.WRONG) if any(c.verdict is v for c in off)]
+    zh = "；".join(f"{head.zh}：{part.zh}" for head, part in zip(heads, parts, strict=True))
+    en = "; ".join(f"{head.en}: {part.en}" for head, part in zip(heads, parts, strict=True))
+    return Words(
+        f"原书 {count} 个答案中 {right} 个与精确值相符{_largest(checked.answers).zh}；{zh}。",
+        f"Of {count} textbook answers {right} agree{_largest(checked.answers).en}; {en}.",
+    ).of(lang)
+
+
+def _largest(answers: Sequence[Checked]) -> Words:
+    """The largest deviation of those that agree, of what is no angle; nothing where there is none."""
+    agree = [c for c in answers if c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) and c.exact]
+    right = [c for c in agree if not is_angle(c.printed) and not counted(c)]
+    most = max(right, key=lambda c: abs(c.deviation), default=None)
+    off = "" if most is None else percent(abs(most.deviation), 2).lstrip("+")
+    if most is None or not float(off.removesuffix(" %")):
+        return Words("", "")
+    name = f"${symbol_of(most)}$"
+    return Words(f"（偏差最大的是 {name}，{off}）", f" (the largest deviation is that of {name}, {off})")
 
 
 def judged_by(answers: Sequence[Checked]) -> dict[str, bool]:

@@ -15,7 +15,8 @@ from .runs import SCRIPT, SHOWN, SUB, SUB_BOTH, SUP, index, letters, roman_or_it
 
 AXIS = 0.26  # height of the bar of a fraction and of the minus sign, em
 BAR = 0.05  # thickness of bars, em
-SIMILAR, GROWN = "∽∼", 1.4  # signs that the face has too small between triangles, and how much larger they are set
+SIMILAR, GROWN = "∽∼", 1.2  # signs that the face has too small between triangles, and how much larger they are set
+TRIANGLE, SHRUNK = "△", 0.8  # a sign that the face has larger than the letters behind it
 
 
 @lru_cache(maxsize=8192)
@@ -177,6 +178,8 @@ def _piece(text: str, exponent: str, han: bool, em: float, bold: bool) -> Box:
     if text in SIMILAR:
         base = scaled(base, GROWN)
         return place([(0.0, AXIS * (1.0 - GROWN) * em, base)], base.width)
+    if text == TRIANGLE:
+        return scaled(base, SHRUNK)
     if not exponent:
         return base
     return _scripts(base, run(exponent.translate(SHOWN), face, em * SCRIPT), EMPTY, em)

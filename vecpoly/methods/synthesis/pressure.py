@@ -27,9 +27,9 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     place = board.open_pane(View.MECHANISM, f"alpha {draft.number}", Words("最大压力角", "Greatest pressure angle"))
     board.step(
         Words(
-            "曲柄垂直于导路且 $B$ 离导路最远时压力角最大。按求得的长度作此位置，量连杆与导路的夹角。",
+            "曲柄垂直于导路且 $B$ 离导路最远时压力角最大。按各杆长度作此位置，量连杆与导路的夹角。",
             "The pressure angle is greatest with the crank square to the guide and $B$ as far from it as it gets. Draw "
-            "this position with the lengths found and read the angle between coupler and guide.",
+            "this position with the lengths of the links and read the angle between coupler and guide.",
         ),
         place,
     )

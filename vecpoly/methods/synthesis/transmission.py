@@ -45,9 +45,9 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
     place = board.open_pane(View.MECHANISM, f"gamma {n}", Words("最小传动角", "Least transmission angle") + which)
     board.step(
         Words(
-            "最小传动角出现在曲柄与机架共线的两位置之一。按求得的长度作此两位置，量 $∠BCD$；若为钝角，取其补角。",
+            "最小传动角出现在曲柄与机架共线的两位置之一。按各杆长度作此两位置，量 $∠BCD$；若为钝角，取其补角。",
             "The transmission angle is least in one of the two positions in which the crank is in line with the "
-            "frame. Draw both with the lengths found and read $∠BCD$; of an obtuse one take the supplement.",
+            "frame. Draw both with the lengths of the links and read $∠BCD$; of an obtuse one take the supplement.",
         ),
         place,
         again=Words(

@@ -81,4 +81,15 @@ def _values(answers: Sequence[Answer], solution: Solution, lang: Lang) -> DataTa
     heads, rows = filled(answers, solution, lang)
     header = [heads[n] for n in _KEPT]
     cells = [(name, *(row[n] for n in _KEPT[1:])) for (_, name), row in zip(once, rows, strict=True)]
-    return HalvedTable.of(trimmed(header, cells, (), _ALIGN, lang, [unit_of(one) for one in answers]))
+    alike = _alike(answers, cells)
+    told = [(Words("、", ", ").of(lang).join(cells[n][0] for n in some), *cells[some[0]][1:]) for some in alike]
+    return HalvedTable.of(trimmed(header, told, (), _ALIGN, lang, [unit_of(answers[some[0]]) for some in alike]))
+
+
+def _alike(answers: Sequence[Answer], cells: Sequence[tuple[str, ...]]) -> list[list[int]]:
+    """Rows that say the same of one length on paper, as of a force and of its reaction, have one row."""
+    found = dict[tuple[object, ...], list[int]]()
+    for n, (one, row) in enumerate(zip(answers, cells, strict=True)):
+        mm = one.reading.mm
+        found.setdefault((mm, *row[1:]) if mm is not None and one.drawn_vector is not None else (n,), []).append(n)
+    return list(found.values())

@@ -11,6 +11,7 @@ from ...solution import Answer
 from ..values import rough
 
 NOTHING = "—"
+_SPREAD = 2  # decimals by which errors may differ that have as many
 SMALL, ROUND = 1e-5, 100.0  # smaller errors are told by powers of ten, larger ones in tens
 
 
@@ -18,11 +19,15 @@ def beside(answers: Sequence[Answer], deviations: Sequence[str]) -> list[str]:
     """The expected errors as the deviations beside them are told: in per cent of the exact value, of angles in degrees;
     where there is no deviation in the printed unit, beside the number; nothing of what was computed."""
     found = [NOTHING] * len(answers)
-    for sign in ("", "°", NOTHING):
-        rows = [n for n, off in enumerate(deviations) if sign_of(off) == sign and not answers[n].computed]
+    kinds = dict[tuple[str, str], list[int]]()
+    for n, off in enumerate(deviations):
+        if not answers[n].computed:
+            unit = printed_unit(answers[n].reading.unit)[1] if off == NOTHING else ""
+            kinds.setdefault((sign_of(off), unit), []).append(n)
+    for (sign, unit), rows in kinds.items():
         sizes = [_size(answers[n], sign) for n in rows]
         for n, text in zip(rows, alike(sizes), strict=True):
-            found[n] = f"{text}{sign}" if sign != NOTHING else f"{text} {printed_unit(answers[n].reading.unit)[1]}"
+            found[n] = f"{text}{sign}" if sign != NOTHING else f"{text} {unit}"
     return [text.strip() for text in found]
 
 
@@ -37,9 +42,13 @@ def _size(answer: Answer, sign: str) -> float:
 
 
 def alike(sizes: Sequence[float]) -> list[str]:
-    """Two figures of the least, and of the others its decimals, but three figures at most: 0.27, 6.46, 10.3."""
-    most = max((_places(size) for size in sizes if _is_plain(size)), default=0)
-    return [_told(size, min(most, _places(size) + 1) if _is_plain(size) else None) for size in sizes]
+    """All with as many decimals: two figures of the least, where the largest has three at most, 0.27, 6.46; else fewer,
+    but one figure of each: 0.3, 10.3. Those that are of quite different sizes have two figures or three each."""
+    own = [_places(size) for size in sizes if _is_plain(size)]
+    least, most = (min(own), max(own)) if own else (0, 0)
+    if most - least > _SPREAD:
+        return [_told(size, min(most, _places(size) + 1) if _is_plain(size) else None) for size in sizes]
+    return [_told(size, max(least + 1, most - 1) if _is_plain(size) and most > least else None) for size in sizes]
 
 
 def _told(size: float, places: int | None) -> str:

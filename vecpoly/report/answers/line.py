@@ -49,10 +49,10 @@ class AnswerLine:
 
 
 def answer_line(
-    answer: Answer, solution: Solution, lang: Lang, *, heading: str = "", also: Sequence[str] = ()
+    answer: Answer, solution: Solution, lang: Lang, *, heading: str = "", also: Sequence[str] = (), read: bool = True
 ) -> AnswerLine:
-    """The line of one answer; also: the keys of others that are the same."""
-    line = short_line(answer, solution, lang)
+    """The line of one answer; also: the keys of others that are the same; read: with the length on paper."""
+    line = short_line(answer, solution, lang, read=read)
     same = [piece for key in also for piece in (Txt(" = "), row(solution.answers[key].reading.symbol))]
     return AnswerLine(
         key=answer.key,

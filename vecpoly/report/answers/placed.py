@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import hypot
 
-from ...algebra.columns import with_zeros
 from ...algebra.rounding import read_back
 from ...printed.digits import coordinates
 from ...printed.places import place_parts
@@ -46,7 +45,7 @@ def endless(answer: Answer) -> bool:
 
 def places_table(answers: list[Answer], solution: Solution, lang: Lang) -> DataTable:
     """The table of the places."""
-    ends = zip(gaps(answers), _reaches(answers), strict=True)
+    ends = zip(gaps(answers), reaches(answers), strict=True)
     rows = [(*place_row(one), *end) for one, end in zip(answers, ends, strict=True)]
     return trimmed([head.of(lang) for head in PLACES], rows, (), ALIGN_PLACES, lang)
 
@@ -83,7 +82,7 @@ def _within(answer: Answer) -> Words:
 def place_words(answer: Answer, lang: Lang) -> str:
     """The same of a point that is the only one, as a sentence."""
     symbol, x, y, true_x, true_y = place_row(answer)
-    (gap,), (reach,) = gaps([answer]), _reaches([answer])
+    (gap,), (reach,) = gaps([answer]), reaches([answer])
     error = Words("", "") if reach == NOTHING else Words(f"（预期误差 {reach} mm）", f" (expected error {reach} mm)")
     said = Words(
         f"点 {symbol} 量得 ({x}, {y}) mm，精确为 ({true_x}, {true_y}) mm，相距 {gap} mm",
@@ -93,10 +92,9 @@ def place_words(answer: Answer, lang: Lang) -> str:
 
 
 def gaps(answers: Iterable[Answer]) -> Iterator[str]:
-    """How far apart (mm) the drawn and the exact point are, as they stand beside each other."""
-    found = [_gap(one) for one in answers]
-    told = iter(alike([off for off in found if off]))
-    yield from with_zeros([NOTHING if off is None else next(told) if off else "0" for off in found])
+    """How far apart (mm) the drawn and the exact point are, as they stand beside each other: to a hundredth, for the
+    coordinates have no more."""
+    yield from (NOTHING if off is None else f"{off:.2f}" for off in map(_gap, answers))
 
 
 def _gap(answer: Answer) -> float | None:
@@ -110,7 +108,7 @@ def _gap(answer: Answer) -> float | None:
     return hypot(x - true_x, y - true_y)
 
 
-def _reaches(answers: Sequence[Answer]) -> Iterator[str]:
+def reaches(answers: Sequence[Answer]) -> Iterator[str]:
     """Within which distance (mm) a point is found."""
     told = iter(alike([1e3 * one.expected_error for one in answers if one.expected_error > _APART]))
     yield from (next(told) if one.expected_error > _APART else NOTHING for one in answers)

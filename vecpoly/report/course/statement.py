@@ -13,8 +13,9 @@ from ...mechanism.groups.mobility import mobility
 from ...names import Rel
 from ...problem.values.given import Datum, as_printed
 from ...words import Words
-from ..content import pivots, shortened, statement
+from ..content import pivots, statement
 from ..picture import picture, to_scale
+from ..statement.shortened import shortened
 from ..tables import given_tables
 from .modelling.dimensions import dimensions, listed, rounded
 from .numbering import Press

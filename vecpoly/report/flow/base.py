@@ -45,6 +45,7 @@ class Block(Flowable):  # type: ignore[misc]
     height: float
     keepWithNext: int = 0
     ghost = False  # takes its room and leaves no ink
+    airy = 0.0  # share of the white around it that it keeps, however tightly it is set
 
     def __init__(self, before: float = 0.0, after: float = 0.0) -> None:
         super().__init__()
@@ -95,7 +96,8 @@ class Block(Flowable):  # type: ignore[misc]
 
     def tighten(self, degree: Tightness) -> None:
         """Set with less white around it."""
-        self.spaceBefore, self.spaceAfter = degree.white * self.spaceBefore, degree.white * self.spaceAfter
+        share = max(degree.white, self.airy)
+        self.spaceBefore, self.spaceAfter = share * self.spaceBefore, share * self.spaceAfter
 
     def undrawn(self) -> Self:
         """A copy that takes its room and leaves no ink."""

@@ -20,7 +20,6 @@ from .para import Para
 from .style import CAPTION, GREY, HEADINGS, Colour, Style
 
 SMALLEST, LARGEST = 0.85, 1.15  # of a sketch on a page that is closed or opened up: its letters stay near those of text
-_UNDER = 5.5  # pt between a drawing and the line of its caption
 Draw = Callable[[Any, float, float], None]
 
 KINDS: dict[str, Colour] = {
@@ -41,6 +40,7 @@ class _Head(Para):
     """A heading of any level; it stays with what follows."""
 
     keepWithNext = 1
+    airy = 0.7
 
     def __init__(self, text: str, level: int, lang: Lang) -> None:
         super().__init__(text, HEADINGS[level - 1], lang)
@@ -107,6 +107,9 @@ class Callout(Block):
         self._para.drawOn(canv, self._PAD + 4.0, self._PAD / 2)
 
 
+_UNDER, _UNDER_SKETCH = 2.0, 6.0  # pt between a figure and its caption; under a sketch, which may end with a ground
+
+
 class Drawing(Block):
     """A figure of true size, or a sketch, drawn by a callback at its lower left corner, centred, captioned below."""
 
@@ -129,7 +132,8 @@ class Drawing(Block):
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""
         self.width = max(width, self.size[0])
-        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + _UNDER if self._caption else 0.0)
+        under = _UNDER_SKETCH if self._sketch else _UNDER
+        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + under if self._caption else 0.0)
         return width, self.height
 
     def draw(self) -> None:
@@ -223,6 +227,7 @@ class SheetPage(Block):
     pieces = True
     numbered = True  # under the frame stands the number of the page
     fixed = False  # it never stands before text that comes before it
+    led = False  # a plate is met behind it, which must not come first
 
     def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "", told: bool = False) -> None:
         super().__init__()

@@ -13,9 +13,9 @@ from ...cycle import table as columns
 from ...project.flywheel import Balance
 from ...project.part import Part
 from ...words import Words
-from ..content import sections
 from ..course.numbering import SMALL
 from ..course.results.tabled import laid_out
+from ..steps.sections import sections
 from .binder import Binder
 from .motion import pressing, readings
 

@@ -10,8 +10,9 @@ from ...project.part import Part
 from ...words import Words
 from ..answers.box import answer_box
 from ..answers.tables import readings_tables
-from ..content import cautions, conclusions, sections, statement
+from ..content import cautions, conclusions, statement
 from ..course.numbering import SMALL
+from ..steps.sections import sections
 from .binder import Binder
 
 _TAKEN = {"zh": ["尺寸", "量得 /mm", "取用 /mm"], "en": ["Length", "Read, mm", "Taken, mm"]}

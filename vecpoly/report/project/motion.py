@@ -11,12 +11,13 @@ from ...project.part import Part
 from ...solution import Answer, Solution
 from ...words import Words
 from ..answers.tables import readings_at
-from ..content import scales, sections
+from ..content import scales
 from ..course.modelling.dimensions import dimensions
 from ..course.numbering import SMALL
 from ..course.results.chapter import sections as over_the_cycle
 from ..course.results.drawn_views import drawn_views
 from ..course.results.extreme_values import extremes
+from ..steps.sections import sections
 from .binder import Binder, Drawn
 from .task import scene, sketch
 

@@ -36,6 +36,8 @@ _MEANT = {
     r"m_c\d+": Words("配重的质量 {}", "the mass of the counterweight {}"),
 }
 _IN_LINE = ("_extended", "_overlapped")  # crank and coupler, in one line
+_ARTICLE = {"Zhukovsky lever": "the ", "sine rule": "the "}
+_LISTED = 3  # kinds of what is asked that are numbered
 _NUMBER = "number of "  # that is said once of several in a row
 _SYMBOL = re.compile(r"\$[^$]+\$")
 ALL_CENTRES = Words("全部瞬心", "all instant centres")
@@ -56,7 +58,9 @@ def asked(solution: Solution, lang: Lang) -> str:
         + comma.join(_once_named([text for _, text in some], lang))
         for group, some in asked_by_kinds(told)
     ]
-    return stop.join([*parts, THE_SAME.of(lang)] if more else parts)
+    many = len(parts) >= _LISTED
+    listed = [f"({n}) {part}" if many else part for n, part in enumerate(parts, 1)]
+    return stop.join([*listed, THE_SAME.of(lang)] if more else listed)
 
 
 def repeated(solution: Solution) -> bool:
@@ -184,7 +188,9 @@ def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:
     way = way_of(key)
     if way is not None and first != key and way_of(first) is None:
         again = symbol == f"${solution.construction.readings[first].symbol}$"
-        return Words(f"{'再求 ' * again}{symbol}（{way.zh}）", f"{symbol}{' again' * again} ({way.en})")
+        if again:
+            return Words(f"再用{way.zh}求 {symbol}", f"{symbol} again by {_ARTICLE.get(way.en, '')}{way.en}")
+        return Words(f"{symbol}（{way.zh}）", f"{symbol} ({way.en})")
     return kind + Words("", " ") + Words(*(called(symbol.strip("$"), key, lang) for lang in ("zh", "en")))
 
 

@@ -1,4 +1,5 @@
-"""Many data with subscripts, m_1, r_1, θ_1, m_2 ...: a table, a row a body, as any book has them."""
+"""Many data: with subscripts, m_1, r_1, θ_1, m_2 ..., a table, a row a body, as any book has them; others a table of
+symbol, value and unit."""
 
 from __future__ import annotations
 
@@ -8,12 +9,14 @@ from dataclasses import dataclass
 
 from ...algebra.columns import padded
 from ...algebra.rounding import braced
+from ...board.construction import Listing
 from ...devices.balancing.rotor import Rotor
 from ...devices.base import Device
 from ...problem.problem import Problem
 from ...problem.values.given import Datum, as_printed
 from ...words import Lang, Words
 from ..flow.table import DataTable
+from .shortened import shortened
 
 _LEAST = 3  # quantities, and bodies, that make a table
 _SYMBOL = re.compile(r"([A-Za-zφθ])_\{?([A-Za-z0-9]+)\}?")
@@ -22,6 +25,11 @@ _SOUGHT = "?"
 _ROWS = Words("序号 $i$", "$i$")
 _NONE = "—"
 _SEE = Words("见下表", "see the table")
+OTHERS = Words("；其余数据见下表", "; the other data are in the table")  # behind what stands in the line
+_MANY = 8  # numbers that make a table where they have no columns
+_SCALAR = re.compile(r"\$([^$]+)\$ = (−?[\d.]+)(°|\s?[^\s\d（(][^（(]*)?")
+_HEAD = (Words("符号", "Symbol"), Words("数值", "Value"), Words("单位", "Unit"))
+_BLOCKS = 4  # beside each other, at most
 _MEANT = {  # of a rotor
     "m": Words("质量", "masses"),
     "W": Words("质径积", "mass-radius products"),
@@ -43,15 +51,42 @@ class _Cell:
 
 
 def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable | None]:
-    """What is given in the line, and the table of the rest; all in the line where they make no table, or belong to a
-    mechanism."""
+    """What is given in the line, and the table of the rest; all in the line where they make no table."""
     data = problem.given.data
-    if not isinstance(problem.subject, Device):
+    if isinstance(problem.subject, Device) and (found := _by_bodies(data, lang)) is not None:
+        return found
+    scalars = {id(one): cells for one in data if (cells := _scalar(one, lang)) is not None}
+    if len(scalars) < _MANY:
         return data, None
+    listing = Listing(head=tuple(Words.same(head.of(lang)) for head in _HEAD), rows=tuple(scalars.values()))
+    return tuple(one for one in data if id(one) not in scalars), _abreast(listing, lang)
+
+
+def _scalar(one: Datum, lang: Lang) -> tuple[str, str, str] | None:
+    """Symbol, number, unit of what is nothing but these; what has a sense beside them stands in the line."""
+    found = None if one.words is not None or one.table is not None else _SCALAR.fullmatch(shortened(one.of(lang)))
+    return None if found is None else (f"${found[1]}$", found[2], (found[3] or _NONE).strip())
+
+
+def _abreast(listing: Listing, lang: Lang) -> DataTable:
+    """In blocks beside each other, with a blank column between two."""
+    high = -(-len(listing.rows) // _BLOCKS)
+    blocks, width = -(-len(listing.rows) // high), len(listing.head)
+    wide = listing.abreast(blocks)
+    heads, align = [head.of(lang) for head in wide.head], "ldc" * blocks
+    rows = [list(row) for row in wide.rows]
+    for at in range(len(heads) - width, 0, -width):
+        heads, align = [*heads[:at], "", *heads[at:]], align[:at] + "l" + align[at:]
+        rows = [[*row[:at], "", *row[at:]] for row in rows]
+    return DataTable(heads, rows, None, align, lang=lang)
+
+
+def _by_bodies(data: tuple[Datum, ...], lang: Lang) -> tuple[tuple[Datum, ...], DataTable] | None:
+    """A row a body, a column a letter; None where there are too few columns."""
     cells = [cell for one in data if (cell := _cell(one, lang)) is not None]
     columns = [c for c in dict.fromkeys(cell.column for cell in cells) if _is_column(c, cells)]
     if len(columns) < _LEAST:
-        return data, None
+        return None
     told = [cell for cell in cells if cell.column in columns]
     rows = [_row(name, columns, told) for name in dict.fromkeys(cell.row for cell in told)]
     heads = [_ROWS.of(lang), *(_head(column, told) for column in columns)]
@@ -64,6 +99,8 @@ def in_table_words(problem: Problem, lang: Lang) -> str:
     """What the columns of the table mean, and where it stands: masses m_i, radii r_i ... as in the table."""
     table = in_table(problem, lang)[1]
     if table is None or not isinstance(problem.subject, Rotor):
+        return _SEE.of(lang)
+    if table.header[0] != _ROWS.of(lang):
         return _SEE.of(lang)
     letters = [head.split("_i")[0].strip("$") for head in table.header[1:]]
     told = [_MEANT[letter].of(lang) + f" ${letter}_i$" for letter in letters if letter in _MEANT]

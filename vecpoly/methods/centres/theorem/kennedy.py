@@ -3,8 +3,11 @@ two such lines give the one sought."""
 
 from __future__ import annotations
 
+from ....board.construction import Listing
 from ....board.otherwise.amended import plain_letters
 from ....board.paper.marks import Dot
+from ....board.said.behind import behind
+from ....board.said.spaced import spaced
 from ....mechanism.asked.centres import Pair, real_links
 from ....mechanism.model import Contact
 from ....plane import Line, cross, nominal
@@ -14,6 +17,21 @@ from ..geometry import Centre
 from ..state import CentreFigure
 from .polygon import join
 from .search import GOOD, Search, Way, found
+
+_HEAD = tuple(Words(zh, en) for zh, en in (("瞬心", "Centre"), *(("三角形", "Triangle"), ("连线", "Line")) * 2))
+_LEAD = Words(
+    "同理求其余瞬心：每个瞬心为两条连线的交点，连线由它所在的三角形给出（多于两个时取交角最有利的两条）；"
+    "含 $P^{∞}$ 的连线指向该无穷远点。",
+    "Likewise the other centres: each is where two lines meet that its triangles give (of more than two, the pair that "
+    "crosses best); a line with a $P^{∞}$ leads towards that point at infinity.",
+)
+_SMALL = Words(
+    "两线交角很小，交点不易准确。", " The lines meet at a small angle; their intersection is poorly defined."
+)
+_BEST = Words(
+    "此两线的交角也小，但在可用的各对直线中最好。",
+    " These lines meet at a small angle, too, but are the best pair there is.",
+)
 
 
 @method(
@@ -25,8 +43,11 @@ from .search import GOOD, Search, Way, found
 )
 def find_centre(fig: CentreFigure, search: Search) -> None:
     """P_ij lies on P_ik P_kj and on P_il P_lj: where the two lines meet."""
-    fig.board.step(_words(fig, search), fig.pane)
-    fig.board.remark(_passed_over(fig, search))
+    reasoned, words, other = fig.reasoned, _words(fig, search), _passed_over(fig, search)
+    fig.board.step(words, fig.pane)
+    fig.board.remark(other)
+    if reasoned and _is_met(search):
+        fig.board.tabulate(_row(fig, search, behind(spaced(words), spaced(other))))
     ways = tuple(_ruled(fig, search.pair, fig.known.way(search.pair, way.via)) for way in search.ways)
     join(fig.desk, fig.polygon, search.pair, sought=True)
     met = found(Search(pair=search.pair, ways=ways, quality=search.quality, endless=search.endless))
@@ -35,7 +56,7 @@ def find_centre(fig: CentreFigure, search: Search) -> None:
         if way.line is not None:
             _draw(fig, search.pair, way, way.line, here)
     fig.letter(search.pair, Dot.POINT, _middle(fig, ways))
-    _remarks(fig, search, here)
+    _remarks(fig, search, here, best=bool(other.en))
 
 
 def _ruled(fig: CentreFigure, pair: Pair, way: Way) -> Way:
@@ -79,11 +100,9 @@ def _words(fig: CentreFigure, search: Search) -> Words:
             f"Find {p}: the centres {a} and {b} coincide, and there the three links have one velocity, so {p} is "
             "there too.",
         )
-    triangles = [
-        f"△{fig.numbers(*sorted((i, way.via, j), key=real_links(fig.mech).index))}" for way in search.ways if way.via
-    ]
+    triangles = [f"△{_corners(fig, search.pair, way)}" for way in search.ways if way.via]
     lines = [_line(fig, search.pair, way) for way in search.ways]
-    if len(triangles) > 1 and fig.reasoned and not search.endless:
+    if fig.reasoned and _is_met(search):
         return Words(
             f"由{'、'.join(triangles)} 得 {p}，它是{lines[0].zh}与{lines[1].zh}的交点。",
             f"From {' and '.join(triangles)}, {p} is the intersection of {lines[0].en} and {lines[1].en}.",
@@ -99,6 +118,27 @@ def _words(fig: CentreFigure, search: Search) -> Words:
         f"求 {p}：{shared.zh}{p} 既在{lines[0].zh}上，又在{lines[1].zh}上",
         f"Find {p}: {shared.en or 'the centre '}{p} lies on {lines[0].en} and on {lines[1].en}",
     ) + _where(fig, search)
+
+
+def _is_met(search: Search) -> bool:
+    """Whether the centre is where two lines meet, each of them closed by a side of two triangles."""
+    return search.ways[0].at is None and len([way for way in search.ways if way.via]) > 1 and not search.endless
+
+
+def _row(fig: CentreFigure, search: Search, words: Words) -> Listing:
+    """Centre, and twice a triangle and the line that it gives."""
+    cells = [cell for way in search.ways for cell in (_corners(fig, search.pair, way), _name(fig, search.pair, way))]
+    return Listing(head=_HEAD, rows=((f"${fig.symbol(*search.pair)}$", *cells),), told=words, lead=_LEAD)
+
+
+def _corners(fig: CentreFigure, pair: Pair, way: Way) -> str:
+    """136: of a triangle, by the numbers of the links."""
+    return fig.numbers(*sorted((pair[0], way.via, pair[1]), key=real_links(fig.mech).index))
+
+
+def _name(fig: CentreFigure, pair: Pair, way: Way) -> str:
+    """The line through two centres, by both."""
+    return f"${''.join(fig.letters(*side) for side in sides_of(pair, way))}$"
 
 
 def _line(fig: CentreFigure, pair: Pair, way: Way) -> Words:
@@ -137,8 +177,8 @@ def _where(fig: CentreFigure, search: Search) -> Words:
     return Words(f"，两线的交点即为 {p}。", "; it is where the two meet.")
 
 
-def _remarks(fig: CentreFigure, search: Search, here: Centre) -> None:
-    """A pair that was passed over because its lines hardly meet; a centre off the paper; an uncertain meeting."""
+def _remarks(fig: CentreFigure, search: Search, here: Centre, *, best: bool) -> None:
+    """A centre off the paper; an uncertain meeting, which may be the best there is (others were passed over)."""
     lines = [way.line for way in search.ways if way.line is not None]
     far = [f"${fig.symbol(*side)}$" for way in search.ways for side in sides_of(search.pair, way) if fig.far(*side)]
     if far:
@@ -154,12 +194,7 @@ def _remarks(fig: CentreFigure, search: Search, here: Centre) -> None:
         p = f"${fig.symbol(*search.pair)}$"
         fig.board.remark(Words(f"（{p} 落在图外。）", f" ({p} falls off the paper.)"))
     elif len(lines) == 2 and not here.endless and abs(float(nominal(cross(lines[0].along, lines[1].along)))) < GOOD:
-        fig.board.remark(
-            Words(
-                "两线交角很小，交点不易准确。",
-                " The lines meet at a small angle; their intersection is poorly defined.",
-            )
-        )
+        fig.board.remark(_BEST if best else _SMALL)
 
 
 def _passed_over(fig: CentreFigure, search: Search) -> Words:
@@ -173,6 +208,6 @@ def _passed_over(fig: CentreFigure, search: Search) -> Words:
         return Words.same("")
     one, two = (_line(fig, search.pair, way) for way in ways[:2])
     return Words(
-        f"{one.zh}与{two.zh}的交点不易准确，故改用另一对直线。".lstrip(),
-        f" The intersection of {one.en} and {two.en} would be poorly defined, so two other lines are taken.",
+        f"{one.zh}与{two.zh}的交点更不易准确，故不用。".lstrip(),
+        f" The intersection of {one.en} and {two.en} would be less well defined.",
     )

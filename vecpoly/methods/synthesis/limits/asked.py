@@ -20,6 +20,9 @@ from ..transmission import least_angle
 
 SOURCE = "机械原理, limit positions: crank and coupler in one line"
 
+_SWINGS = Words("$∠C_1DC_2$ 即摇杆的摆角 $ψ$，量得：", "and $∠C_1DC_2$ is the swing $ψ$ of the rocker; read them:")
+_SLIDES = Words("$C_1C_2$ 即滑块的行程 $H$，量得：", "and $C_1C_2$ is the stroke $H$ of the slider; read them:")
+
 
 @design_method(
     CrankRockerLimits,
@@ -56,7 +59,7 @@ def draw_crank_rocker_limits(draft: Draft, design: CrankRockerLimits) -> None:
         board.swing(SHEET, a, radius, end)
     b1, b2 = _cranks(draft, a, (ends[0], ends[1]), crank)
     drawn(draft, (a, b2, ends[1], d), (a, b1, ends[0], d))
-    _advance(draft, a, (ends[0], ends[1]))
+    _advance(draft, a, (ends[0], ends[1]), _SWINGS)
     draft.stated(draft.of_this(SWING), draft.angle(d, ends[0], ends[1]))
     found(draft, SWING, d, (ends[0], ends[1]))
     least_angle(draft, lengths[0], lengths[1])
@@ -98,7 +101,7 @@ def draw_slider_crank_limits(draft: Draft, design: SliderCrankLimits) -> None:
         board.swing(SHEET, a, radius, end)
     b1, b2 = _cranks(draft, a, (ends[0], ends[1]), crank)
     drawn(draft, (a, b2, ends[1]), (a, b1, ends[0]))
-    _advance(draft, a, (ends[0], ends[1]))
+    _advance(draft, a, (ends[0], ends[1]), _SLIDES)
     draft.length(draft.of_this(STROKE), board.measure(ends[0], ends[1], "C_1 C_2"), "C_1 C_2")
     alpha = draft.stated(draft.of_this(ALPHA_MAX), greatest_pressure(draft, lengths[0], lengths[1], offset))
     draft.worked(draft.of_this(GAMMA_MIN), RIGHT - alpha)
@@ -117,15 +120,13 @@ def _cranks(draft: Draft, a: Points, ends: tuple[Points, Points], crank: Reals) 
     return b1, pin(draft, "B_2", ahead(a, unit(ends[1] - a), crank))
 
 
-def _advance(draft: Draft, a: Points, ends: tuple[Points, Points]) -> None:
-    """θ = ∠C₁AC₂ by protractor, K = (180° + θ) / (180° − θ)."""
-    draft.board.step(
-        Words(
-            "两极限位置时连杆线 $AC_1$、$AC_2$ 的夹角即极位夹角 $θ$，量得：",
-            "The angle between $AC_1$ and $AC_2$, the coupler's lines in both limits, is $θ$; read it:",
-        ),
-        SHEET,
+def _advance(draft: Draft, a: Points, ends: tuple[Points, Points], other: Words) -> None:
+    """θ = ∠C₁AC₂ by protractor, K = (180° + θ) / (180° − θ); other: what else is read between the limits."""
+    between = Words(
+        "两极限位置时连杆线 $AC_1$、$AC_2$ 的夹角即极位夹角 $θ$，",
+        "The angle between $AC_1$ and $AC_2$, the coupler's lines in both limits, is $θ$, ",
     )
+    draft.board.step(between + other, SHEET)
     theta = draft.stated(draft.of_this(THETA), draft.angle(a, ends[0], ends[1]))
     found(draft, THETA, a, ends)
     draft.worked(draft.of_this(ADVANCE), (HALF_TURN + theta) / (HALF_TURN - theta))

@@ -17,10 +17,11 @@ from ....solution import Answer, Solution
 from ....words import Lang, Words
 from ...answers.placed import endless_words, place_words
 from ...answers.tables import lone_place, readings_at, readings_tables
-from ...content import scales, sections
+from ...content import scales
 from ...flow.blocks import Plate, SheetPage, spoken
 from ...plates.page import sheet_page
 from ...plates.results import concluded
+from ...steps.sections import sections
 from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
 from .drawn_views import drawn_views

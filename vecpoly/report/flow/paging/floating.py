@@ -13,6 +13,7 @@ from reportlab.platypus.flowables import PageBreak
 from ..blocks import Callout, Divider, Drawing, SheetPage
 from ..listing import Listing
 from .justified import stretches
+from .together import first_of
 
 _ENDS = (NextPageTemplate, PageBreak, Divider)  # behind these no figure of what was before them stands
 
@@ -62,7 +63,7 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
                 first.__dict__.pop("_postponed", None)
             super().handle_flowable(flowables)
             if self._curPageFlowableCount:
-                self.heads.setdefault(self.page, first)
+                self.heads.setdefault(self.page, first_of(first))
 
     @property
     def _opens(self) -> bool:

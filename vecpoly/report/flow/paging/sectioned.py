@@ -20,6 +20,8 @@ def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
     """The story with its sheets before the last heading that lets them stand so; as it is where its sheets do not
     float, where they stand well, or where none does. doc: it, laid out."""
     sheets = [item for item in story if isinstance(item, SheetPage) and item.behind]
+    if any(one.led for one in sheets):
+        return story, doc
     if not sheets or len(sheets) != sum(isinstance(item, SheetPage) for item in story) or _stands(doc):
         return story, doc
     text = [item for item in story if item not in sheets]

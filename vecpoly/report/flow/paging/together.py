@@ -56,7 +56,10 @@ class HeldTogether(KeepTogether):  # type: ignore[misc]
         if (gap or not self._tabled) and self._last_parted(width, height):
             return found[1:]
         count = self._first_ones(width, height) if gap else 0
-        return [*self._content[:count], *found[:1], Parted(), *self._content[count:]] if count else found
+        if count:
+            return [*self._content[:count], *found[:1], Parted(), *self._content[count:]]
+        ruled = isinstance(self._content[0], Divider)  # no page opens with a rule
+        return [found[0], HeldTogether(self._content[ruled:])]  # a figure may open that page, and leave as little room
 
     @property
     def _tabled(self) -> bool:

@@ -1,4 +1,5 @@
-"""Short results that are read one after another, places above all: two or three stand on one line, in columns."""
+"""Short results that are read one after another, places above all: two or three stand on one line, in columns; lines
+that reckon the same of one body after another, two by two."""
 
 from __future__ import annotations
 
@@ -19,6 +20,8 @@ from ..base import Block
 from ..style import BODY
 
 SEVERAL, MOST = 3, 3  # so many share lines, and so many stand on one
+ALIKE, _HALF = 4, 78.0  # lines of one form that stand two by two; mm that each may take
+_INDEX = re.compile(r"_\w+|[\d.]+")
 _WIDEST, _BETWEEN = 46.0, 10.0  # mm: what may stand beside another; between columns
 _LOW = 1.4  # em: what is higher has a fraction, and a line of its own
 _STRUT, _CLOSE = (0.78, 0.26), 5.5  # em over and under a base line; pt between lines
@@ -41,9 +44,15 @@ class Abreast(Block):
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column."""
-        rows = -(-len(self.nodes) // self._across(width))
-        self.width, self.height = width, rows * (sum(_STRUT) * self._em * MM) + (rows - 1) * _CLOSE
+        rows = self._rows(width)
+        self.width, self.height = width, sum(up + down for up, down in rows) * MM + (len(rows) - 1) * _CLOSE
         return width, self.height
+
+    def _rows(self, width: float) -> list[tuple[float, float]]:
+        """How far each row reaches over and under its base line (mm)."""
+        across, boxes, (up, down) = self._across(width), self._boxes, (self._em * part for part in _STRUT)
+        rows = [boxes[n : n + across] for n in range(0, len(boxes), across)]
+        return [(max(up, *(b.ascent for b in row)), max(down, *(b.descent for b in row))) for row in rows]
 
     def _across(self, width: float) -> int:
         """How many stand on a line: of four, two by two."""
@@ -58,20 +67,30 @@ class Abreast(Block):
         """Row by row, in the middle of the column."""
         ink, tree, across = Ink(self.canv), tree_of(self.canv), self._across(self.width)
         left = max(0.0, (self.width / MM - across * self._step + _BETWEEN) / 2)
+        rows, top = self._rows(self.width), self.height
         for n, (node, box) in enumerate(zip(self.nodes, self._boxes, strict=True)):
             row, column = divmod(n, across)
-            top = self.height - row * (sum(_STRUT) * self._em * MM + _CLOSE)
+            if row and not column:
+                top -= sum(rows[row - 1]) * MM + _CLOSE
             ink.under(tree.opener(Tag(Role.FORMULA, self.tag.within, said(node, tree.lang)), copied(node)))
-            ink.box(box, (left + column * self._step) * MM, top - _STRUT[0] * self._em * MM)
+            ink.box(box, (left + column * self._step) * MM, top - rows[row][0] * MM)
         ink.flush()
 
 
 def abreast(nodes: Sequence[Node]) -> list[Node | Abreast]:
     """The equations of a step: its places first, where there are several; of others, several short ones in a row."""
+    if _is_reckoned_alike(nodes):
+        return [Abreast(nodes)]
     places = [node for node in nodes if _is_place(node)]
     if len(places) < SEVERAL:
         return [*_rows(nodes)]
     return [Abreast(places), *_rows([node for node in nodes if not _is_place(node)])]
+
+
+def _is_reckoned_alike(nodes: Sequence[Node]) -> bool:
+    """Whether they are many lines of one form or two, W_1I = W_1 (L − z_1)/L ..., which need half the width each."""
+    forms = {_INDEX.sub("", plain(node)) for node in nodes}
+    return len(nodes) >= ALIKE and len(forms) <= 2 and all(layout(node, BODY.em).width <= _HALF for node in nodes)
 
 
 def _rows(nodes: Sequence[Node]) -> Iterator[Node | Abreast]:

@@ -32,6 +32,7 @@ class AnswerBox(Block):
 
     role = Role.DIV
     pieces = True
+    airy = 0.8
 
     def __init__(
         self, lines: Sequence[AnswerLine], said: Sequence[str] = (), lang: Lang = "zh", notes: Sequence[str] = ()

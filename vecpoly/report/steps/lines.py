@@ -1,0 +1,130 @@
+"""Lines that are no formula, F = 1, φ = 40.3°: they stand in the sentence that leads to them, not displayed; what
+stands in the box of answers with no way to it, a place or a zero of which the sentence tells, is not said twice."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from ...algebra.formula import Node, Row, Sym, Txt, plain
+from ...board.construction import Step
+from ...printed.told import ABOUT, EQUALS, NUMBER
+from ...solution import Answer, Solution
+from ...words import Lang, Words, bare
+from ..answers.notes import stands_still
+
+_COLONS = ("：", ":")
+_MOST = 4  # lines in a sentence
+_UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
+_LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
+
+
+def displayed(step: Step, solution: Solution) -> tuple[Node, ...]:
+    """The lines of a step that are set as formulas; each ends with the number that is gone on with."""
+    left = _left(step, solution)
+    return () if _in_sentence(step, left) else tuple(map(_once, left))
+
+
+def chained(lines: Sequence[Node]) -> Iterator[Node]:
+    """Lines in a row that say of one value after another that it is the same, R_32 = R_21 = 659 N, R_23 = R_12 = 659 N,
+    as one: R_21 = R_32 = R_12 = R_23 = 659 N."""
+    for end, some in groupby(lines, key=_end_of_chain):
+        run = list(some)
+        if end is None or len(run) == 1:
+            yield from run
+            continue
+        symbols = {plain(one): one for line in run if isinstance(line, Row) for one in (line.items[2], line.items[0])}
+        linked = [item for one in symbols.values() for item in (one, Txt(EQUALS))]
+        yield Row((*linked[:-1], Txt(end)))
+
+
+def _end_of_chain(line: Node) -> str | None:
+    """The end of symbol = symbol = value; None of another line."""
+    match line:
+        case Row((_, Txt(text), Row() | Sym(), Txt(end))) if text == EQUALS and end.startswith(EQUALS):
+            return end if plain(line).count(EQUALS) == _LINKS and plain(line.items[2]).isidentifier() else None
+        case _:
+            return None
+
+
+def _once(line: Node) -> Node:
+    """7.215 rad/s of 7.215 rad/s ≈ 7.22 rad/s: the box of answers rounds it."""
+    if not isinstance(line, Row) or not isinstance(line.items[-1], Txt) or ABOUT not in line.items[-1].text:
+        return line
+    exact, rounded = line.items[-1].text.split(ABOUT)
+    same = NUMBER.sub("", exact, count=1).strip(EQUALS) == NUMBER.sub("", rounded, count=1).strip()
+    return Row((*line.items[:-1], Txt(exact))) if same else line
+
+
+def _left(step: Step, solution: Solution) -> tuple[Node, ...]:
+    """Without those that the box of answers tells."""
+    told = list(_told_by_box(step, solution))
+    return tuple(line for line in step.formulas if not any(line is one for one in told))
+
+
+def with_results(text: str, step: Step, solution: Solution, lang: Lang) -> str:
+    """The sentence of the step, with its lines where these are not displayed."""
+    left, stop = _left(step, solution), Words("。", ".").of(lang)
+    if not left:
+        leads = text.endswith(_COLONS) and step.listing is None and step.equation is None and bool(step.formulas)
+        return f"{text[:-1]}{stop}" if leads else text
+    if not _in_sentence(step, left):
+        return text
+    new = [line for line in left if not _is_said(line, text)]
+    if not new:
+        return text
+    lead = Words("", " ") if text.endswith(_COLONS) else Words("得 ", " This gives ")
+    return f"{text}{lead.of(lang)}{Words('，', ', ').of(lang).join(map(_inline, new))}{stop}"
+
+
+def _in_sentence(step: Step, left: Sequence[Node]) -> bool:
+    """Whether nothing but bare lines, and few, belongs to the step."""
+    return 0 < len(left) <= _MOST and step.equation is None and step.listing is None and all(map(_is_bare, left))
+
+
+def _is_bare(line: Node) -> bool:
+    """Whether it is symbol = value, with no way to it."""
+    return isinstance(line, Row) and line.worked is None and plain(line).count(EQUALS) == 1
+
+
+def _told_by_box(step: Step, solution: Solution) -> Iterator[Node]:
+    """The bare lines that the box of answers tells as well, and the sentence too, or a figure: places, and zeros of
+    what stands still."""
+    asked = {id(one.reading.formula): one for one in solution.answers.values() if one.reading.formula is not None}
+    for line in step.formulas:
+        if plain(line).endswith(_UNDEFINED):
+            yield line
+        answer = asked.get(id(line))
+        if answer is not None and (
+            _is_endless(answer) or (_is_bare(line) and (answer.is_place or stands_still(answer)))
+        ):
+            yield line
+
+
+def _is_endless(answer: Answer) -> bool:
+    """Whether it is a centre at infinity, of which the line tells the direction."""
+    return answer.is_place and answer.drawn_vector is None
+
+
+def _is_said(line: Node, text: str) -> bool:
+    """Whether it is a zero that the sentence has already: so α_2 = 0."""
+    symbol, _, size = plain(line).partition(EQUALS)
+    return size.split(" ")[0] == "0" and f"{symbol}{EQUALS}0" in bare(text)
+
+
+def _inline(line: Node) -> str:
+    """symbol = value as it stands in a sentence."""
+    assert isinstance(line, Row)
+    symbol, *rest = line.items
+    return f"${_short(symbol)}${''.join(plain(one) for one in rest)}"
+
+
+def _short(node: Node) -> str:
+    """A symbol in the short notation of sentences: γ^{(1)}_{min}."""
+    match node:
+        case Sym(base, sub, sup):
+            return base + (f"^{{{sup}}}" if sup else "") + (f"_{{{sub}}}" if sub else "")
+        case Row(items):
+            return "".join(map(_short, items))
+        case _:
+            return plain(node)

@@ -1,0 +1,47 @@
+"""The numbered steps under their headings, each with its equation, formulas and table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import groupby
+from typing import Any
+
+from ...algebra.formula import Node
+from ...board.construction import Step
+from ...solution import Solution
+from ...words import Lang
+from ..answers.alike import lines_of_twins
+from ..content import Objects
+from ..flow.results.abreast import abreast
+from ..on_paper import on_paper
+from ..tables import listed
+from .lines import chained, displayed, with_results
+from .rows import in_runs, lead_of, rows_table
+
+
+def sections(solution: Solution, lang: Lang, objects: Objects) -> list[dict[str, Any]]:
+    """The numbered steps under their headings; like steps in a row are one item with a table."""
+    out, same = [], lines_of_twins(solution, lang)
+    for title, steps in groupby(solution.construction.steps, key=lambda s: s.section.of(lang)):
+        told = [
+            _step(run[0], solution, lang, objects, same) if len(run) == 1 else _run(run, lang, objects)
+            for run in in_runs(steps)
+        ]
+        out.append({"title": title, "steps": told})
+    return out
+
+
+def _run(steps: tuple[Step, ...], lang: Lang, objects: Objects) -> dict[str, Any]:
+    table = objects.add("tab", rows_table(steps, lang))
+    return {"n": steps[0].number, "words": lead_of(steps, lang), "equation": "", "table": table, "formulas": []}
+
+
+def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Mapping[int, Node]) -> dict[str, Any]:
+    lines = [*chained([same.get(id(node), node) for node in displayed(step, solution)])]
+    return {
+        "n": step.number,
+        "words": with_results(on_paper(step.words.of(lang), solution), step, solution, lang),
+        "equation": objects.add("eq", step.equation) if step.equation else "",
+        "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
+        "formulas": [objects.add("f", one) for one in abreast(lines)],
+    }
