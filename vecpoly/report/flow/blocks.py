@@ -107,7 +107,7 @@ class Callout(Block):
         self._para.drawOn(canv, self._PAD + 4.0, self._PAD / 2)
 
 
-_UNDER, _UNDER_SKETCH = 2.0, 6.0  # pt between a figure and its caption; under a sketch, which may end with a ground
+_UNDER = 5.5  # pt between a drawing, which may end with a ground, and the line of its caption
 
 
 class Drawing(Block):
@@ -132,8 +132,7 @@ class Drawing(Block):
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """Size in a column; only a sketch is ever made smaller."""
         self.width = max(width, self.size[0])
-        under = _UNDER_SKETCH if self._sketch else _UNDER
-        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + under if self._caption else 0.0)
+        self.height = self.over + self._factor * self.size[1] + (CAPTION.leading + _UNDER if self._caption else 0.0)
         return width, self.height
 
     def draw(self) -> None:
