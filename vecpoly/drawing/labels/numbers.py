@@ -16,6 +16,7 @@ from .want import Piece, Thing, Want
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 RINGS, AROUND = (0.6, 1.0), 12  # of the radius of a disc at which its number may stand, and where about its centre
 FIRST, CHORDS, SMALL = 0.625, 36, 5.0  # of a turn: where the number of a wheel stands first; points of its rim; mm
+OFF_BAR = 0.55  # mm of white that a number keeps of its bar beyond what letters keep of lines: 1.5 as a rule
 ON = 0.3  # mm: a joint so near to a bar, as an unsteady hand finds it, lies on it
 
 
@@ -51,7 +52,7 @@ def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep
     ends = sorted({0.0, 1.0, *_joints_between(a, b, marks)})
     start, end = max(pairwise(ends), key=lambda part: part[1] - part[0])
     want = along_line(a + (b - a) * start, a + (b - a) * end, keep, (piece,), Thing.LINK)
-    return replace(want, own=(a, b))
+    return replace(want, own=(a, b), clear=OFF_BAR)
 
 
 def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[float]:
