@@ -18,6 +18,7 @@ from vecpoly.board.paper.marks import (
     LinkNumber,
     Mark,
     Passing,
+    Plate,
     Point,
     Role,
     Segment,
@@ -144,3 +145,17 @@ def test_the_number_of_a_frame_without_pivots_stands_at_the_hatching_of_its_guid
     for label in labels:
         assert -8.0 < ((label.centre - guide[0]) * along.conjugate()).imag < -1.7
     assert labels
+
+
+@pytest.mark.parametrize("name", ["A-27-c", "A-27-d", "A-30", "B-24", "plate-two-slides"])
+def test_no_number_of_a_bar_stands_in_the_body_of_another_link_over_which_the_bar_runs(name: str) -> None:
+    mechanism = drawn(name).figures(View.MECHANISM)[0]
+    owners = {(m.a, m.b): m.owner for m in mechanism.marks if isinstance(m, LinkNumber)}
+    plates = [m for m in mechanism.marks if isinstance(m, Plate)]
+    numbered = [label for label in drawing(mechanism).labels if label.want.own in owners and label.foot is None]
+    assert plates and numbered
+    for label in numbered:
+        for plate in (one for one in plates if one.owner != owners[label.want.own]):
+            turns = [corner - label.centre for corner in plate.points]
+            round_it = sum(cmath.phase(b / a) for a, b in zip(turns, (*turns[1:], turns[0]), strict=True))
+            assert abs(round_it) < 1.0, label.centre

@@ -6,7 +6,7 @@ import cmath
 from itertools import pairwise
 from math import tau
 
-from ...board.paper.marks import Block, Disc, Dot, GearMark, LinkNumber, Mark, Passing, Point
+from ...board.paper.marks import Block, Disc, Dot, GearMark, LinkNumber, Mark, Passing, Plate, Point
 from ...foundation.slotted import replace
 from ..style import RESULT
 from ..symbols.bodies import block_corners
@@ -16,6 +16,7 @@ from .want import Piece, Thing, Want
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 RINGS, AROUND = (0.6, 1.0), 12  # of the radius of a disc at which its number may stand, and where about its centre
 FIRST, CHORDS, SMALL = 0.625, 36, 5.0  # of a turn: where the number of a wheel stands first; points of its rim; mm
+REACH = 4.0  # mm from a bar to the middle of its number
 OFF_BAR = 0.55  # mm of white that a number keeps of its bar beyond what letters keep of lines: 1.5 as a rule
 ON = 0.3  # mm: a joint so near to a bar, as an unsteady hand finds it, lies on it
 
@@ -52,7 +53,28 @@ def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep
     ends = sorted({0.0, 1.0, *_joints_between(a, b, marks)})
     start, end = max(pairwise(ends), key=lambda part: part[1] - part[0])
     want = along_line(a + (b - a) * start, a + (b - a) * end, keep, (piece,), Thing.LINK)
-    return replace(want, own=(a, b), clear=OFF_BAR)
+    return _outside_bodies(replace(want, own=(a, b), clear=OFF_BAR), mark.owner, marks)
+
+
+def _outside_bodies(want: Want, owner: str, marks: tuple[Mark, ...]) -> Want:
+    """Where the bar runs over the body of another link, its number stands beside a piece that does not, if any."""
+    bodies = [mark.points for mark in marks if isinstance(mark, Plate) and mark.owner != owner]
+    spots = zip(want.feet, want.normals, strict=True)
+    sides = (-REACH, 0.0, REACH)
+    free = [(z, n) for z, n in spots if not any(_holds(body, z + by * n) for body in bodies for by in sides)]
+    if not free or len(free) == len(want.feet):
+        return want
+    feet, normals = zip(*free, strict=True)
+    return replace(want, feet=feet, normals=normals)
+
+
+def _holds(body: tuple[complex, ...], at: complex) -> bool:
+    """Whether a point lies within a polygon: whether its corners go round it."""
+    seen = [corner - at for corner in body]
+    if any(abs(z) < NEAR for z in seen):
+        return True
+    turned = sum(cmath.phase(after / before) for before, after in pairwise((*seen, seen[0])))
+    return abs(turned) > 1.0
 
 
 def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[float]:
