@@ -1,6 +1,7 @@
 """What a strict reader of sheets would mark down, counted over the library: white bands, knots of letters.
 
-`python -m benchmarks.sheet_faults [ID ...] [--lang en]` prints the sheets with most faults first, and the sums of all.
+`python -m benchmarks.sheet_faults [ID ...] [--en]` prints the sheets with most faults last, those with the largest
+empty rectangles, and the sums of all.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from vecpoly.words import Lang
 NEAR, FEW = 2.0, 2  # mm between letters; others so near that make no crowd
 PAIR = 1.8  # mm between two letters that are hard to attribute
 DENSE, MANY = 10.0, 5  # mm about the middle of a letter; others there that make a knot
+WORST = 20  # sheets that are named for their white
 CELL = 4.0  # mm: how finely white is looked for
 ON = 0.3  # mm: what touches its own thing
 
@@ -225,6 +227,9 @@ def main(ids: Sequence[str], lang: Lang) -> None:
             continue
     for one in sorted(found, key=lambda one: one.knots):
         print(one)
+    if not ids:
+        worst = sorted(found, key=lambda one: one.white, reverse=True)[:WORST]
+        print("largest empty rectangles:", ", ".join(f"{one.name} {one.white:.0%}" for one in worst))
     print(summed(found))
 
 

@@ -161,3 +161,17 @@ def test_the_number_of_a_plate_stands_in_it_and_that_of_a_bar_over_it_beside_it(
         if (text := "".join(part.text for part in box.box.items if isinstance(part, Glyphs))) in ("2", "5")
     }
     assert shape.contains(where["2"]) and not shape.contains(where["5"])
+
+
+@pytest.mark.parametrize("name", ["A-27-c", "A-27-d", "A-30", "B-24", "plate-two-slides"])
+def test_no_number_of_a_bar_stands_in_the_body_of_another_link_over_which_the_bar_runs(name: str) -> None:
+    mechanism = drawn(name).figures(View.MECHANISM)[0]
+    owners = {(m.a, m.b): m.owner for m in mechanism.marks if isinstance(m, LinkNumber)}
+    plates = [m for m in mechanism.marks if isinstance(m, Plate)]
+    numbered = [label for label in drawing(mechanism).labels if label.want.own in owners and label.foot is None]
+    assert plates and numbered
+    for label in numbered:
+        for plate in (one for one in plates if one.owner != owners[label.want.own]):
+            turns = [corner - label.centre for corner in plate.points]
+            round_it = sum(cmath.phase(b / a) for a, b in zip(turns, (*turns[1:], turns[0]), strict=True))
+            assert abs(round_it) < 1.0, label.centre

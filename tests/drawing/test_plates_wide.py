@@ -18,11 +18,10 @@ def _plates(name: str) -> list[Sheet]:
 
 
 @each(DRAFTED)
-def test_the_frame_of_a_sheet_in_the_text_is_as_wide_as_the_text_or_what_its_figures_need(name: str) -> None:
+def test_the_frame_of_a_sheet_in_the_text_is_as_wide_as_the_text(name: str) -> None:
     assert pytest.approx(COLUMN / MM) == PLATE
     for sheet in _plates(name):
-        wide = sum(one.extents.width for one in sheet.figures)
-        assert sheet.room[0] == PLATE or wide + 5.0 > PLATE, sheet.room
+        assert sheet.room[0] == PLATE, sheet.room
         assert sheet.size[1] > STRIP
 
 

@@ -33,7 +33,7 @@ def _on_page(*sizes: Size) -> tuple[list[Sketch], Layout]:
 
 
 def test_two_low_figures_that_a_broad_band_parts_have_a_plate_as_high_as_they_are() -> None:
-    figures, layout = _on_page((175.0, 85.0), (150.0, 65.0))
+    figures, layout = _on_page((164.0, 95.0), (150.0, 75.0))
     made = plated(figures, layout)
     assert covered(figures, layout) > 0.7 and inked(figures, layout) < INKED
     assert not is_page(made.page) and inked(figures, made) > inked(figures, layout) + FULLER

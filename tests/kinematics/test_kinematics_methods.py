@@ -107,7 +107,7 @@ def test_a_problem_drawn_by_another_hand_is_sketched_once_and_keeps_its_scales(m
 
 
 def test_another_scale_given_or_another_paper_is_no_longer_the_same_drawing() -> None:
-    problem = load("3-13")
+    problem = load("3-10")
     given = replace(problem, scales=Scales({"mu_v": 0.02}))
     a4, letter = DrawingPaper(), DrawingPaper(problem.on("letter").paper)
     mu = [

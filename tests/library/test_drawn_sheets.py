@@ -67,11 +67,11 @@ def test_all_pages_of_a_problem_are_turned_one_way(name: str) -> None:
 
 
 @each(SHEETS)
-def test_a_plate_leaves_room_for_text_on_its_page_and_is_no_wider_than_the_frame_of_a_sheet(name: str) -> None:
-    """Behind a page it is no wider than the text either."""
+def test_a_plate_leaves_room_for_text_on_its_page_and_is_no_wider_than_the_text(name: str) -> None:
+    """Behind a page it is lower."""
     first = True
     for sheet in laid(name):
-        assert not sheet.plate or (sheet.room[0] <= 190.0 and sheet.size[1] <= 240.0)
+        assert not sheet.plate or (sheet.room[0] <= 170.0 and sheet.size[1] <= 240.0)
         assert not sheet.plate or first or (sheet.room[0] <= 170.0 and sheet.size[1] <= 200.0)
         first = first and sheet.plate
 

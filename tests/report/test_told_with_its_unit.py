@@ -12,6 +12,7 @@ from vecpoly.algebra.formula import plain
 from vecpoly.algebra.rounding import read_back
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import FixedGuide, Point
+from vecpoly.diagram.chains import INWARD
 from vecpoly.printed.digits import drawn_number, in_percent
 from vecpoly.report.answers.line import result_of, short_line
 from vecpoly.report.answers.tables import _values
@@ -99,7 +100,7 @@ def test_the_letter_of_a_guide_stands_at_the_guide() -> None:
         rails = [mark for mark in figure.marks if isinstance(mark, FixedGuide)]
         for spot in (mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "D'"):
             guides += bool(rails)
-            assert not rails or min(abs(spot - end) for rail in rails for end in (rail.a, rail.b)) < 1e-9
+            assert not rails or min(abs(spot - end) for rail in rails for end in (rail.a, rail.b)) < INWARD + 1e-9
     assert guides == 2
 
 

@@ -71,7 +71,7 @@ def test_links_are_thick_in_one_position_and_dashed_in_the_others_and_in_thin_da
                     if isinstance(mark, Segment) and {_near(mark.a, ends), _near(mark.b, ends)} == {0, 1}
                 }
                 of_a_valid_one = candidate in valid or set(ends) <= shared
-                told = {Role.OTHER, Role.LINK, Role.GIVEN} if of_a_valid_one else {Role.HIDDEN}
+                told = {Role.OTHER, Role.LINK, Role.SECOND} if of_a_valid_one else {Role.HIDDEN}
                 assert not roles or roles & told, (candidate.number, before, after, n, roles)
 
 

@@ -42,7 +42,7 @@ def test_a_least_angle_below_what_can_be_drawn_is_read_with_its_error_and_alone_
 
 
 def test_arcs_that_only_touch_are_said_to() -> None:
-    steps = drawn("limit-lines", "drafting", NEAR[1][1]).construction.steps
+    steps = drawn("limit-lines", "pencil", NEAR[1][1]).construction.steps
     assert any("they touch, and $C′$ lies on the line $BD$" in step.words.en for step in steps)
     assert any("$C′$ 在直线 $BD$ 上" in step.words.zh for step in steps)
 

@@ -40,7 +40,8 @@ __all__ = [
 class Figure:
     """One drawing: its marks in mm, its scale, its title; `name` tells it from others of its view.
 
-    aside: as its pane. tones: by which its vectors are told apart, by what they belong to (`paper/tones.py`); {}: by
+    aside: as its pane. parts: of what is drawn for each of several solutions alone the step with which it begins, and
+    the solution's number. tones: by which its vectors are told apart, by what they belong to (`paper/tones.py`); {}: by
     none, in black; None: by the kind of figure alone.
     """
 
@@ -51,6 +52,7 @@ class Figure:
     name: str = ""
     aside: bool = False
     tones: Mapping[str, int] | None = None
+    parts: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,6 +24,7 @@ from .profiles import FACE, Touching, is_hollow, profile, round_of
 
 NEAR = 0.3  # mm: places closer than this are one
 BEYOND, HALF_GUIDE, HALF_WAY = 13.0, 11.0, 14.0  # mm: a rod goes on past its block; half a fixed guide, a way alone
+INWARD = 2.0  # mm from the end of a fixed guide, beside which its letter stands
 Rod = Segment | Weld  # a rod, the arms beside it, and the marks of their rigid corners
 DOWNS = (-1j, 1j, 1 + 0j, -1 + 0j)
 
@@ -151,7 +152,7 @@ class Sketched:
         ahead = -1 if (pair.along.conjugate() * ways).real > 0 else 1
         rail = pair.links[1] == FRAME and frame
         aside = 1j * pair.along * HALF_BLOCK * (1 if self._leans_right(pair) else -1) if rail else 0j
-        return pair.at + ahead * pair.along * HALF_GUIDE + aside if pinned else pair.at
+        return pair.at + ahead * pair.along * (HALF_GUIDE - INWARD * rail) + aside if pinned else pair.at
 
     def _slide(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
         """A block on a fixed guide, a sleeve on a rod, a rod in a fixed sleeve."""

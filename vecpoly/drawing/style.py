@@ -27,6 +27,7 @@ class Dash(StrEnum):
     DASHED = "dashed"
     SHORT = "short"  # dashes that show on a circle of a few millimetres
     DASH_DOT = "dash-dot"
+    TWO_DOTS = "dash-two-dots"
 
     @property
     def pattern(self) -> tuple[float, ...]:
@@ -40,6 +41,8 @@ class Dash(StrEnum):
                 return (1.3, 0.7)
             case Dash.DASH_DOT:
                 return (6.0, 0.9, 0.4, 0.9)
+            case Dash.TWO_DOTS:
+                return (6.0, 0.8, 0.4, 0.8, 0.4, 0.8)
         assert_never(self)
 
 
@@ -83,6 +86,8 @@ def pen(role: Role, hue: Hue) -> Pen:
             return Pen(width=THIN, dash=Dash.DASHED, hue=Hue.GREY)
         case Role.OTHER:
             return Pen(width=GIVEN, dash=Dash.DASHED)
+        case Role.SECOND:
+            return Pen(width=GIVEN, dash=Dash.TWO_DOTS)
         case Role.LOCUS:
             return Pen(width=RESULT, hue=hue)
         case Role.CARRIED:

@@ -17,6 +17,7 @@ class Role(StrEnum):
     CENTRE = "centre"  # 0.25 mm dash-dot: centre lines, pitch circles
     IDEAL = "ideal"  # 0.25 mm dashed grey: the construction without friction, beside that with it
     OTHER = "other"  # 0.35 mm dashed: a link in another position than the one that is drawn thick
+    SECOND = "second"  # 0.35 mm dash and two dots: a linkage beside the one that is drawn thick, as another solution
     LOCUS = "locus"  # 0.5 mm in an ink of its own: a curve that is the answer, the fixed centrode
     CARRIED = "carried"  # 0.5 mm dashed: such a curve that moves with a link
     HIDDEN = "hidden"  # 0.25 mm dashed: the expanded link (扩大构件), what is only thought

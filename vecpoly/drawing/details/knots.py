@@ -10,13 +10,15 @@ import numpy as np
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Dot, FrictionCircle, ImageOf, Point, Vector
+from ...board.paper.marks import Dot, FrictionCircle, ImageOf, Point, Segment, Vector
 from ...board.ruler import READABLE
 from ...foundation.slotted import dataclass
 from .knot import Knot, Trouble, about_image
 from .nest import Nest
 
 CROWDED = 6.0  # mm: three letters that lie no farther apart than this crowd together
+PAIR, ABOUT = (1.6, 8.0), 7.0  # mm between two letters that lines may hide; about their middle
+LINES, OTHERS = 12, 1  # that end there, at least; details that there are already, at most
 TWINS = 0.3, 1.6  # mm: two letters so near to each other, and no nearer, can be told apart in a detail alone
 SLIGHT = 8.0  # so many times the longest side of an image its polygon measures, if it is drawn apart
 SPECK = 0.15  # mm: a vector shorter than this is none at 20:1 either
@@ -29,8 +31,9 @@ MOST = 3  # knots of a figure
 @dataclass(frozen=True, slots=True)
 class Crowd:
     """What of a figure may be too near: where its letters belong, the ends of its vectors, how far it is across, mm;
-    circles: the ends of a diameter of each friction circle; images: the corners of each image of a link; own: places of
-    letters that are of no numbered series, where the neighbours would tell which is which."""
+    circles: the ends of a diameter of each friction circle; images: the corners of each image of a link; ends: of all
+    lines of a polygon; own: places of letters that are of no numbered series, where the neighbours would tell which is
+    which."""
 
     places: tuple[complex, ...]
     vectors: tuple[tuple[complex, complex], ...]
@@ -38,6 +41,7 @@ class Crowd:
     circles: tuple[tuple[complex, complex], ...] = ()
     own: tuple[complex, ...] = ()
     images: tuple[tuple[complex, ...], ...] = ()
+    ends: tuple[complex, ...] = ()
 
     @classmethod
     def of(cls, figure: Figure) -> Crowd:
@@ -51,14 +55,14 @@ class Crowd:
         across = max(extent(figured(figure.marks)))
         places = _distinct(m.at for m in lettered)
         images = dict.fromkeys(m.points for m in figure.marks if isinstance(m, ImageOf) and len(m.points) > 2)
-        return cls(tuple(places), tuple(ends), across, _circles(figure), tuple(own), tuple(images))
+        return cls(tuple(places), tuple(ends), across, _circles(figure), tuple(own), tuple(images), _ends(figure))
 
     def times(self, factor: float) -> Crowd:
         """As many times larger."""
         ends, circles = (tuple((a * factor, b * factor) for a, b in some) for some in (self.vectors, self.circles))
-        places, own = (tuple(at * factor for at in some) for some in (self.places, self.own))
+        places, own, lines = (tuple(at * factor for at in some) for some in (self.places, self.own, self.ends))
         images = tuple(tuple(at * factor for at in corners) for corners in self.images)
-        return Crowd(places, ends, self.across * factor, circles, own, images)
+        return Crowd(places, ends, self.across * factor, circles, own, images, lines)
 
     @property
     def knots(self) -> tuple[Knot, ...]:
@@ -71,7 +75,16 @@ class Crowd:
                 break
             found.append(best)
             left = [one for one in left if not (best.holds(one.a) and best.holds(one.b))]
+        if len(found) <= OTHERS:
+            found += self._hidden(found)
         return (*found, *_of_images(self.images, self.across, found))[:MOST]
+
+    def _hidden(self, found: Sequence[Knot]) -> Iterator[Knot]:
+        """Where most lines hide letters."""
+        crossed = [one for one in _crossed(self.places, self.ends) if not any(k.holds(one.a) for k in found)]
+        best = Nest.of(crossed).best(self.across, found) if crossed else None
+        if best is not None:
+            yield best
 
 
 @lru_cache(maxsize=256)
@@ -96,7 +109,7 @@ def _snapped(troubles: Sequence[Trouble]) -> list[Trouble]:
     ends = dict.fromkeys(end for one in troubles for end in (one.a, one.b))
     places = np.array(_distinct(ends) or [0j])
     at = {end: complex(places[np.argmin(abs(places - end))]) for end in ends}
-    return [Trouble(at[one.a], at[one.b], one.vector) for one in troubles]
+    return [Trouble(at[one.a], at[one.b], one.vector, one.crossed) for one in troubles]
 
 
 def _short(vectors: Sequence[tuple[complex, complex]], least: float) -> list[Trouble]:
@@ -121,6 +134,19 @@ def _crowds(places: Sequence[complex]) -> list[Trouble]:
     near = (abs(at[:, None] - at) <= CROWDED) & ~np.eye(len(at), dtype=np.bool_)
     thirds = near.astype(np.int64) @ near  # how many letters are near to both
     return [Trouble(places[i], places[j], False) for i, j in np.argwhere(np.triu(near & (thirds > 0))).tolist()]
+
+
+def _ends(figure: Figure) -> tuple[complex, ...]:
+    """Where the lines of a polygon end."""
+    lines = (mark for mark in figure.marks if isinstance(mark, Segment | Vector) and figure.view.is_polygon)
+    return tuple(end for mark in lines for end in (mark.a, mark.b))
+
+
+def _crossed(places: Sequence[complex], ends: Sequence[complex]) -> list[Trouble]:
+    """Every two letters not far from each other about which so many lines end that they hide each other."""
+    at, (least, most) = np.array(ends, np.complex128), PAIR
+    pairs = ((a, b) for n, a in enumerate(places) for b in places[:n] if ends and least <= abs(a - b) <= most)
+    return [Trouble(a, b, False, True) for a, b in pairs if (abs(at - (a + b) / 2) <= ABOUT).sum() >= LINES]
 
 
 def _twins(places: Sequence[complex]) -> list[Trouble]:

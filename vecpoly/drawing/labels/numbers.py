@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Sequence
 from itertools import pairwise
 from math import tau
 
@@ -18,6 +17,8 @@ FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 RINGS, AROUND = (0.6, 1.0), 12  # of the radius of a disc at which its number may stand, and where about its centre
 FIRST, CHORDS, SMALL = 0.625, 36, 5.0  # of a turn: where the number of a wheel stands first; points of its rim; mm
 _ROOM, _ASIDE = 5.0, 0.35  # mm from the middle of a plate to its sides, for a number; of the way to a corner
+REACH = 4.0  # mm from a bar to the middle of its number
+OFF_BAR = 0.55  # mm of white that a number keeps of its bar beyond what letters keep of lines: 1.5 as a rule
 ON = 0.3  # mm: a joint so near to a bar, as an unsteady hand finds it, lies on it
 
 
@@ -56,7 +57,28 @@ def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep
     ends = sorted({0.0, 1.0, *_joints_between(a, b, marks)})
     start, end = max(pairwise(ends), key=lambda part: part[1] - part[0])
     want = along_line(a + (b - a) * start, a + (b - a) * end, keep, (piece,), Thing.LINK)
-    return replace(_off_plates(want, [m for m in plates if m.owner != mark.owner]), own=(a, b))
+    return _outside_bodies(replace(want, own=(a, b), clear=OFF_BAR), mark.owner, marks)
+
+
+def _outside_bodies(want: Want, owner: str, marks: tuple[Mark, ...]) -> Want:
+    """Where the bar runs over the body of another link, its number stands beside a piece that does not, if any."""
+    bodies = [mark.points for mark in marks if isinstance(mark, Plate) and mark.owner != owner]
+    spots = zip(want.feet, want.normals, strict=True)
+    sides = (-REACH, 0.0, REACH)
+    free = [(z, n) for z, n in spots if not any(_holds(body, z + by * n) for body in bodies for by in sides)]
+    if not free or len(free) == len(want.feet):
+        return want
+    feet, normals = zip(*free, strict=True)
+    return replace(want, feet=feet, normals=normals)
+
+
+def _holds(body: tuple[complex, ...], at: complex) -> bool:
+    """Whether a point lies within a polygon: whether its corners go round it."""
+    seen = [corner - at for corner in body]
+    if any(abs(z) < NEAR for z in seen):
+        return True
+    turned = sum(cmath.phase(after / before) for before, after in pairwise((*seen, seen[0])))
+    return abs(turned) > 1.0
 
 
 def _joints_between(a: complex, b: complex, marks: tuple[Mark, ...]) -> list[float]:
@@ -117,16 +139,6 @@ def _feet_in(plate: Plate) -> tuple[complex, ...]:
     return middle, *(middle + _ASIDE * (corner - middle) for corner in plate.points)
 
 
-def _off_plates(want: Want, plates: Sequence[Plate]) -> Want:
-    """The places beside a bar where it does not run over one of these plates; all, where it does everywhere."""
-    free = [not any(_holds(plate, foot) for plate in plates) for foot in want.feet]
-    if all(free) or not any(free):
-        return want
-    places = [*zip(want.feet, want.normals, strict=True)]
-    kept = [place for place, is_free in zip(places, free, strict=True) if is_free]
-    return replace(want, feet=tuple(foot for foot, _ in kept), normals=tuple(normal for _, normal in kept))
-
-
 def _middle(plate: Plate) -> complex:
     return sum(plate.points) / len(plate.points)
 
@@ -138,9 +150,3 @@ def _sides(plate: Plate) -> list[tuple[complex, complex]]:
 def _gap(at: complex, a: complex, b: complex) -> float:
     """From a place to the line through two corners."""
     return abs(((at - a) * (b - a).conjugate()).imag) / (abs(b - a) or 1.0)
-
-
-def _holds(plate: Plate, at: complex) -> bool:
-    """Whether a place lies in a plate whose outline is convex."""
-    turns = [((b - a).conjugate() * (at - a)).imag for a, b in _sides(plate)]
-    return len(turns) > 2 and (min(turns) > 0 or max(turns) < 0)

@@ -59,7 +59,7 @@ def beside(want: Want, middle: complex) -> Spots:
     away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
     base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
     gap = np.array(GAPS)[:, None]
-    near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
+    near = feet[..., None] + _offset(sides[:, None], want.radius + want.clear + gap, half, all_round)
     by_gap = PER_DISTANCE * gap + TIGHT * (gap == GAPS[0]) + OFF_LEVEL * want.level * np.abs(gap - LEVEL)
     return Spots(
         near.ravel(),
@@ -112,7 +112,7 @@ def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
     if number < len(want.feet):
         gap, side = divmod(rest, sides)
         u = complex(DIRECTIONS[side]) if all_round else want.normals[number] * (1 - 2 * side)
-        return want.feet[number] + complex(_offset(u, want.radius + GAPS[gap], half, all_round)), None
+        return want.feet[number] + complex(_offset(u, want.radius + want.clear + GAPS[gap], half, all_round)), None
     rest, way = divmod(index - len(want.feet) * len(GAPS) * sides, len(DIRECTIONS))
     far, number = divmod(rest, len(want.feet[:LED]))
     if far >= len(FARTHER):

@@ -44,6 +44,7 @@ class Want:
     radius: float
     own: tuple[complex, complex]  # the line, or the place, that it names
     one_sided: bool = False
+    clear: float = 0.0  # mm of white that it keeps beyond the radius, where it needs no leader
     thing: Thing = Thing.OTHER
     farther: bool = False  # whether its leader may be longer than is usual: a crowd leaves it no other place
     level: bool = False  # whether it stands on one line with its like, as the numbers of an axis do

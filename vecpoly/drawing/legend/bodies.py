@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import tau
 
-from ...board.paper.marks import Arc, Curve, Disc, Hatched, Mark, Plate, Role, Vector
+from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Mark, Plate, Role, Vector
 from ...words import Words
 from .entry import HALF, MIDDLE, WIDE
 from .kind import Kind
@@ -24,10 +24,12 @@ from .met import (
     is_path,
     is_solid,
     is_speed,
+    is_void,
     osculates,
+    taken_off,
     traced,
 )
-from .samples import Marks, arrow, line
+from .samples import Marks, arrow, line, pinned
 
 BODY = (-1j * HALF, WIDE - 1j * HALF, WIDE + 1j * HALF, 1j * HALF)  # corners of a sample
 SMALL = HALF + 0.2  # mm: radius of a round sample
@@ -49,11 +51,17 @@ def _mass(mark: Mark) -> Marks:
 
 
 CURVES: tuple[Kind, ...] = (
-    Kind(words=Words("廓线的曲率圆", "circle of curvature of the profile"), met=osculates, sample=line),
+    Kind(
+        words=Words("廓线的曲率圆", "circle of curvature of the profile"),
+        met=osculates,
+        sample=line,
+        brief=Words("曲率圆", "circle of curvature"),
+    ),
     Kind(words=Words("定瞬心线", "fixed centrode"), met=traced(Role.LOCUS, Curve), sample=line),
     Kind(words=Words("动瞬心线", "moving centrode"), met=traced(Role.CARRIED, Curve), sample=line),
     Kind(words=Words("点的轨迹", "path of a point"), met=traced(Role.CENTRE, Curve), sample=line),
-    Kind(words=Words("同源机构", "cognate"), met=is_cognate, sample=line),
+    Kind(words=Words("同源机构一", "first cognate"), met=is_cognate(Role.GIVEN), sample=line),
+    Kind(words=Words("同源机构二", "second cognate"), met=is_cognate(Role.SECOND), sample=line),
     Kind(words=Words("点的轨迹", "path of a point"), met=is_path, sample=line),
     Kind(words=Words("连杆曲线", "coupler curve"), met=is_coupler_curve, sample=line),
     Kind(
@@ -76,7 +84,9 @@ BODIES: tuple[Kind, ...] = (
     ),
     Kind(words=Words("集中质量", "concentrated mass"), met=is_mass(Disc), sample=_mass),
     Kind(words=Words("平衡质量", "balancing mass"), met=is_mass(Arc), sample=_mass),
-    Kind(words=Words("去重孔、负质量", "hole or negative mass"), met=bored, sample=_mass),
+    Kind(words=Words("原有的孔、键槽", "hole or keyway it has"), met=is_void, sample=_ring),
+    Kind(words=Words("去重孔、负质量", "hole to drill, negative mass"), met=bored, sample=_mass),
+    Kind(words=Words("随杆组拆去的转动副", "joint taken off before"), met=taken_off, sample=pinned(Dot.POINT)),
     Kind(words=Words("功率流向", "flow of power"), met=is_flow, sample=lambda _: arrow(Role.GIVEN), plain=True),
     Kind(words=Words("许用不平衡量", "allowed unbalance"), met=allowed, sample=line),
     Kind(

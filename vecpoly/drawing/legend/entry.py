@@ -16,11 +16,13 @@ MIDDLE = complex(WIDE / 2)
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A sample, and what it stands for; plain: that whoever reads drawings knows it anyhow."""
+    """A sample, and what it stands for; plain: that whoever reads drawings knows it anyhow; brief: what it stands for
+    beside another entry of the same sample."""
 
     sample: tuple[Item, ...]
     words: Words
     plain: bool = False
+    brief: Words | None = None
 
 
 def drawn_as_on(figure: Figure, marks: tuple[Mark, ...], lang: Lang, *, black: bool = False) -> tuple[Item, ...]:

@@ -13,10 +13,12 @@ from .samples import Marks
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
-    """met: whether a mark of a figure is one; sample: how it looks, by one that was met."""
+    """met: whether a mark of a figure is one; sample: how it looks, by one that was met; brief: its words beside those
+    of another kind that looks the same."""
 
     words: Words
     met: Met
     sample: Callable[[Mark], Marks]
     black: bool = False
     plain: bool = False
+    brief: Words | None = None

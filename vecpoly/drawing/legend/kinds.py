@@ -40,6 +40,7 @@ from .met import (
     in_centre_polygon,
     in_polygon,
     is_lone_profile,
+    is_other_solution,
     is_rim,
     of_profile,
     of_rotor,
@@ -60,7 +61,9 @@ def kinds_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
         first = next(((figure, mark) for figure, mark in marks if kind.met(figure, mark)), None)
         if first is not None:
             figure, mark = first
-            yield Entry(drawn_as_on(figure, kind.sample(mark), lang, black=kind.black), kind.words, kind.plain)
+            yield Entry(
+                drawn_as_on(figure, kind.sample(mark), lang, black=kind.black), kind.words, kind.plain, kind.brief
+            )
 
 
 def side_by_side(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
@@ -130,10 +133,15 @@ KINDS: tuple[Kind, ...] = (
     Kind(words=Words("实际廓线", "cam profile"), met=of_profile(Role.LINK), sample=line),
     Kind(words=Words("凸轮廓线", "profile of the cam"), met=is_lone_profile, sample=line),
     Kind(words=Words("理论廓线", "pitch curve"), met=of_profile(Role.HIDDEN), sample=line),
-    Kind(words=Words("机构的另一位置", "another position"), met=traced(Role.OTHER, Segment), sample=line),
+    Kind(
+        words=Words("机构的另一位置", "another position"),
+        met=traced(Role.OTHER, Segment),
+        sample=line,
+        brief=Words("另一位置", "another position"),
+    ),
     Kind(words=Words("给定位置", "given position"), met=designed(Role.GIVEN, given=True), sample=line),
     Kind(words=Words("给定的其余位置", "other given positions"), met=designed(Role.HIDDEN, given=True), sample=line),
-    Kind(words=Words("另一解", "other solution"), met=designed(Role.GIVEN, given=False), sample=line),
+    Kind(words=Words("另一解", "other solution"), met=is_other_solution, sample=line),
     Kind(words=Words("舍去的解", "solution rejected"), met=designed(Role.HIDDEN, given=False), sample=line),
     Kind(
         words=Words("平衡质量的方位", "place of a balancing mass"),
@@ -150,14 +158,25 @@ KINDS: tuple[Kind, ...] = (
     Kind(words=Words("其余各位置", "its other places"), met=traced(Role.PLACE, Segment), sample=line),
     Kind(words=Words("校正平面", "correction plane"), met=in_axial_view, sample=line),
     Kind(words=Words("配重的方位", "place of a counterweight"), met=to_counterweight, sample=line),
-    Kind(words=Words("假想线、辅助线", "imagined or auxiliary line"), met=imagined, sample=line),
+    Kind(
+        words=Words("假想线、辅助线", "imagined or auxiliary line"),
+        met=imagined,
+        sample=line,
+        brief=Words("假想线", "imagined line"),
+    ),
     Kind(
         words=Words("节圆、节线", "pitch circle or line"),
         met=lambda _, mark: isinstance(mark, GearMark | RackMark),
         sample=line,
         black=True,
+        brief=Words("节圆", "pitch circle"),
     ),
-    Kind(words=Words("轨迹圆、基准圆", "path or base circle"), met=traced(Role.CENTRE, Arc), sample=line),
+    Kind(
+        words=Words("轨迹圆、基准圆", "path or base circle"),
+        met=traced(Role.CENTRE, Arc),
+        sample=line,
+        brief=Words("轨迹圆", "path circle"),
+    ),
     *CURVES,
     _hatched(True),
     _hatched(False),
@@ -192,5 +211,6 @@ KINDS: tuple[Kind, ...] = (
         met=traced(Role.CENTRE, Segment),
         sample=line,
         plain=True,
+        brief=Words("中心线", "centre line"),
     ),
 )

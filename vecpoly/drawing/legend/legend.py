@@ -12,6 +12,7 @@ from ...typeset import Box, layout_words
 from ...words import Lang, Words
 from ..scene import Item, TextBox, moved
 from ..style import NOTE
+from .alike import alike, joined
 from .entry import HALF, WIDE, Entry
 from .images import tinted
 from .kinds import FOUND, KNOWN, kinds_met, side_by_side
@@ -21,6 +22,7 @@ from .vectors import key_of_vectors
 TITLE = Words("图例", "Legend")
 PAD, GAP, BESIDE = 2.4, 1.6, 5.0  # mm: to the edge of a legend; sample to words; between columns
 PITCH = 5.2  # mm: row to row
+CLOSE_PAD, CLOSE_PITCH = 1.5, 4.4  # mm: the same of a band for which there is hardly room
 KEPT = 256  # words that are set: the same ones stand on many sheets
 WIDEST = 12.0  # mm between columns that are spread over a band
 
@@ -57,8 +59,8 @@ def entries(figures: Sequence[Figure], lang: Lang) -> tuple[Entry, ...]:
 
 
 def cells(some: Sequence[Entry], lang: Lang) -> list[Cell]:
-    """Set in the type of notes."""
-    return [Cell(one.sample, _set(one.words.of(lang))) for one in some]
+    """Set in the type of notes; entries whose samples look the same share one."""
+    return [Cell(shared[0].sample, _set(joined(shared).of(lang))) for shared in alike(some)]
 
 
 @lru_cache(maxsize=KEPT)
@@ -66,14 +68,14 @@ def _set(words: str, bold: bool = False) -> Box:
     return layout_words(words, NOTE, bold)
 
 
-def band(some: Sequence[Cell], lang: Lang, width: float) -> Grid:
-    """As wide as this, in as few rows as hold it, the title before the first."""
+def band(some: Sequence[Cell], lang: Lang, width: float, *, close: bool = False) -> Grid:
+    """As wide as this, in as few rows as hold it, the title before the first; close: its rows as close as may be."""
     title = _set(TITLE.of(lang), True)
     room = width - 2 * PAD - title.width - BESIDE
     rows = next(n for n in range(1, len(some) + 1) if n == len(some) or _wide(_columns(some, n)) <= room)
     columns = _columns(some, rows)
     spare = (room - sum(_widths(columns))) / len(columns)
-    return _grid(columns, title, min(max(BESIDE, spare), WIDEST), beside=True, width=width)
+    return _grid(columns, title, min(max(BESIDE, spare), WIDEST), beside=True, width=width, close=close)
 
 
 def blocks(some: Sequence[Cell], lang: Lang, most: float) -> Iterator[Grid]:
@@ -96,18 +98,25 @@ def _wide(columns: Sequence[Sequence[Cell]]) -> float:
 
 
 def _grid(
-    columns: Sequence[Sequence[Cell]], title: Box, between: float, *, beside: bool = False, width: float = 0.0
+    columns: Sequence[Sequence[Cell]],
+    title: Box,
+    between: float,
+    *,
+    beside: bool = False,
+    width: float = 0.0,
+    close: bool = False,
 ) -> Grid:
     """The columns right of the title, or under it."""
     rows, widths = max(map(len, columns)), _widths(columns)
+    pad, pitch = (CLOSE_PAD, CLOSE_PITCH) if close else (PAD, PITCH)
     left = PAD + (title.width + BESIDE if beside else 0.0)
-    height = 2 * PAD + (rows - 1) * PITCH + 2 * HALF + (0.0 if beside else PITCH)
-    top = height - PAD - HALF - (0.0 if beside else PITCH)
-    items: list[Item] = [_at(title, PAD, height - PAD - HALF)]
+    height = 2 * pad + (rows - 1) * pitch + 2 * HALF + (0.0 if beside else pitch)
+    top = height - pad - HALF - (0.0 if beside else pitch)
+    items: list[Item] = [_at(title, PAD, height - pad - HALF)]
     for n, column in enumerate(columns):
         x = left + sum(widths[:n]) + n * between
         for k, cell in enumerate(column):
-            y = top - k * PITCH
+            y = top - k * pitch
             items += [moved(item, complex(x, y)) for item in cell.sample]
             items.append(_at(cell.box, x + WIDE + GAP, y))
     own = left + sum(widths) + (len(columns) - 1) * between + PAD

@@ -93,10 +93,20 @@ def _between_pins(figure: Figure, mark: Mark) -> bool:
     return isinstance(mark, Segment) and all(any(abs(pin - end) < 0.1 for pin in pins) for end in (mark.a, mark.b))
 
 
-def is_cognate(figure: Figure, mark: Mark) -> bool:
-    """Whether it is a bar, thinner than those of the linkage beside it, where both lead a point along one path."""
-    path = any(isinstance(one, Curve) and one.role is Role.CENTRE for one in figure.marks)
-    return path and traced(Role.GIVEN, Segment)(figure, mark) and _between_pins(figure, mark)
+def is_cognate(role: Role) -> Met:
+    """Whether it is a bar in this role, thinner than those of the linkage beside it, where all lead a point along one
+    path."""
+    drawn = traced(role, Segment)
+    return lambda figure, mark: drawn(figure, mark) and _has_path(figure) and _between_pins(figure, mark)
+
+
+def _has_path(figure: Figure) -> bool:
+    return any(isinstance(one, Curve) and one.role is Role.CENTRE for one in figure.marks)
+
+
+def is_other_solution(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a bar of a solution that is not the one in thick lines."""
+    return traced(Role.SECOND, Segment)(figure, mark) and not _has_path(figure)
 
 
 def is_rim(mark: Mark) -> bool:
@@ -144,7 +154,7 @@ def is_outline(figure: Figure, mark: Mark) -> bool:
     between two places."""
     thin = isinstance(mark, Arc | Segment) and mark.role is Role.GIVEN
     known = in_polygon(figure) or in_centre_polygon(figure) or on_curvature(Role.GIVEN, Arc)(figure, mark)
-    known = known or is_cognate(figure, mark)
+    known = known or is_cognate(Role.GIVEN)(figure, mark)
     return thin and not known and not any(designed(Role.GIVEN, given=one)(figure, mark) for one in (True, False))
 
 
@@ -184,6 +194,17 @@ def is_mass(kind: type[Mark]) -> Met:
         and (mark.owner.startswith(_MASSES) if isinstance(mark, Disc) else traced(Role.RESULT, Arc)(figure, mark))
         and (of_rotor(figure) or figure.title.zh == "轴向简图" or mark.owner == "counterweight")
     )
+
+
+def is_void(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the edge of a hole or a keyway that a disc has, which is no rim about its axis."""
+    return isinstance(mark, Arc) and of_rotor(figure) and mark.role is Role.GIVEN and abs(mark.centre) > 0.1
+
+
+def taken_off(figure: Figure, mark: Mark) -> bool:
+    """Whether it is where a joint was that went with a group."""
+    apart = figure.name.startswith(("group ", "left "))
+    return apart and isinstance(mark, Point) and mark.dot is Dot.POINT and bool(mark.label)
 
 
 def bored(figure: Figure, mark: Mark) -> bool:

@@ -27,16 +27,14 @@ ROWS = 4  # of a band on a page: what is higher is a block
 
 def with_legend(sheet: Sheet) -> Sheet:
     """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else on these
-    with the figures laid out anew, closer together; else, with both, on a block; else on a band, with the figures as
-    close as they may stand; else parted on two blocks or three, of the inks of vectors and of the rest where they have
-    room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
+    with the figures laid out anew, closer together; else with the figures as close as they may stand; else, with both,
+    on a block; else parted on two blocks or three, of the inks of vectors and of the rest where they have room so; else
+    as much of it as has room; as it is where all is plain, or nothing has room."""
     sets = _sets(sheet)
     if sheet.plate:
         return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
     if (banded := next((made for made, _ in _banded(sheet, sets)), None)) is not None or not sets:
         return banded or sheet
-    if (blocked := _with_block(sheet, sets)) is not sheet:
-        return blocked
     tight = next((made for made, _ in _tight(sheet, sets)), None)
     return tight or _with_blocks(sheet, sets, _inks(sheet))
 
@@ -57,8 +55,8 @@ def with_legend_under(sheet: Sheet, write: Callable[[Sheet], Sheet]) -> Sheet:
 
 
 def _tight(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Iterator[tuple[Sheet, Grid]]:
-    """The sheet with a band, its figures as close as they may stand."""
-    grids = (band(some, sheet.lang, sheet.room[0]) for some in sets)
+    """The sheet with a band, its figures as close as they may stand, or the rows of the band, too."""
+    grids = (band(some, sheet.lang, sheet.room[0], close=close) for close in (False, True) for some in sets)
     yield from ((made, grid) for grid in grids if (made := _laid_anew(sheet, grid, TIGHT)) is not None)
 
 

@@ -62,11 +62,11 @@ def plated(figures: Sequence[Sized], layout: Layout) -> Layout:
     """The same where they leave bands of the page white, about them or between them, on a plate that may be nearly as
     large as a page, if it is filled so much better."""
     share, own = covered(figures, layout), inked(figures, layout)
-    for most in ((PLATE, LARGEST[1]), LARGEST):
-        if share < BANDS and covered(figures, made := _on_plate(figures, layout, most)) > share + FULLER:
-            return made
-        if own < INKED and inked(figures, made := _on_plate(figures, layout, most, in_rows=True)) > own + FULLER:
-            return made
+    most = PLATE, LARGEST
+    if share < BANDS and covered(figures, made := _on_plate(figures, layout, most)) > share + FULLER:
+        return made
+    if own < INKED and inked(figures, made := _on_plate(figures, layout, most, in_rows=True)) > own + FULLER:
+        return made
     return trimmed(figures, layout) if share < BANDS else layout
 
 

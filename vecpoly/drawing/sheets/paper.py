@@ -14,10 +14,10 @@ from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass
 from ...foundation.stock import ANY_A4, Paper
 from ..order import reading_order
+from ..parted import parted
 from .lettering import beside_title, lettered
-from .scales.composing import composed
+from .scales.banded import over_legend
 from .scales.crowding import crowded
-from .scales.easing import eased
 from .slicing import Size
 from .space import room
 
@@ -39,10 +39,10 @@ class DrawingPaper:
     ) -> Mapping[Place, float]:
         """Round scales for the kinds of figure that have none given, and for panes with a scale of their own, with
         which the figures of a sketch, drawn at these scales, fill as few sheets as will do, with room for details."""
-        ordered = reading_order(figures)
+        ordered = parted(reading_order(figures))
         bare = [_sketch(one, sketched) for one in ordered]
         detailed = [crowded(one, figure) for one, figure in zip(bare, ordered, strict=True)]
-        return eased(detailed, composed(bare, given, self.on), given, self.on)
+        return over_legend(detailed, bare, given, self.on)
 
 
 def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:

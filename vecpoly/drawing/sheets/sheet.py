@@ -13,6 +13,7 @@ from ...foundation.stock import A4, ANY_A4, Format, Paper
 from ...words import Lang, Words
 from ..details.apart import is_detail
 from ..details.knots import knots
+from ..parted import parted
 from ..scene import Item, Rect, Scene
 from .boxes.redbox import BAND, red_box
 from .boxes.titleblock import Strip, furniture
@@ -133,7 +134,7 @@ def sheets(
     Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet, or for one
     that is well filled. Raises VecpolyError where a figure is larger than a sheet.
     """
-    pages = _pages(reading_order(construction.figures), lang, on, construction.warning is not None)
+    pages = _pages(parted(reading_order(construction.figures)), lang, on, construction.warning is not None)
     if plates and on.way is None:
         pages = [*on_plates(pages, bands)]
     if plates and not bands and construction.warning is None:

@@ -10,7 +10,8 @@ FRAME = 10.0  # paper edge to frame
 STRIP = 16.0  # title strip at the foot, inside the frame
 PLATE, NARROW = 170.0, 118.0  # width of a sheet in the text, which is that of the text; of what is filled at least
 HIGHEST = 155.0  # of a plate over its strip, for which figures are made smaller: what is higher has a page
-LARGEST = (190.0, 198.0)  # of a plate in place of a page of which bands are white; wider than the text if need be
+LARGEST = 198.0  # of a plate in place of a page of which bands are white
+LEGEND = 13.0  # mm of a sheet that a legend of two rows takes, over the strip
 SPARSE = 0.6  # share of a page below which figures look lost on it
 CLEAR = 5.0  # white between the frame and the first figure, and between figures
 CAPTION = 15.0  # title and scale under a figure
@@ -39,9 +40,9 @@ def is_across(room: tuple[float, float]) -> bool:
     return any(room == room_inside(True, of) for of in FORMATS)
 
 
-def rooms(on: Paper) -> tuple[tuple[float, float], ...]:
-    """The room of a sheet of this paper, each way in which it may lie."""
-    return tuple(room_inside(across, on.format) for across in on.ways)
+def rooms(on: Paper, kept: float = 0.0) -> tuple[tuple[float, float], ...]:
+    """The room of a sheet of this paper, each way in which it may lie; so much (mm) over the strip kept free."""
+    return tuple((wide, high - kept) for wide, high in (room_inside(across, on.format) for across in on.ways))
 
 
 def room(view: View, count: int = 1, of: Format = A4) -> tuple[float, float]:

@@ -8,6 +8,8 @@ from math import inf
 from ..scene import Rect
 from .slicing import TOUCH, Cut, Piece, Size
 
+CLOSE = 18.0  # mm: titles of a row differ by no more; a figure goes down so far even from a line that others share
+LOWER = 0.5  # mm by which letters of a scale may reach lower than those of the lowest figure
 HANG = 1.5  # mm by which letters of titles on one line hang lower than others
 
 Box = tuple[float, float, float, float]  # left, top (downwards from the upper edge), width, height
@@ -106,10 +108,12 @@ def sunk(boxes: Sequence[Rect], lines: Sequence[float], still: Sequence[Rect], c
     stands still, and no lower than the lowest; or else up. lines: on which height the titles stand.
     """
     now, at = list(boxes), list(lines)
-    floor = min((box.y0 for box in boxes), default=0.0) - TOUCH
+    floor = min((box.y0 for box in boxes), default=0.0) - LOWER
     for i in sorted(range(len(now)), key=lambda one: lines[one]):
         lower = {at[k] for k in range(len(now)) if k != i and at[k] <= at[i] and now[k].y1 > now[i].y0}
-        _hang(now, at, i, sorted(lower, reverse=True), still, clear, (floor, inf))
+        close = {line for line in lower if TOUCH < at[i] - line < CLOSE}
+        ways = (*sorted(close, reverse=True), *sorted(lower - close, reverse=True))
+        _hang(now, at, i, ways, still, clear, (floor, inf))
     _rise(now, at, still, clear)
     return [old - new for old, new in zip(lines, at, strict=True)]
 

@@ -56,6 +56,7 @@ _ACI = {
     Role.CENTRE.value: 4,
     Role.IDEAL.value: 8,
     Role.OTHER.value: 5,
+    Role.SECOND.value: 5,
     Role.LOCUS.value: 7,
     Role.CARRIED.value: 5,
     Role.HIDDEN.value: 2,

@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 from ...drawing.style import Dash, Hue, Pen
 from .labels import Labels
 
-_DASH = {Dash.FULL: "0", Dash.DASHED: "15", Dash.SHORT: "10", Dash.DASH_DOT: "30"}
+_DASH = {Dash.FULL: "0", Dash.DASHED: "15", Dash.SHORT: "10", Dash.DASH_DOT: "30", Dash.TWO_DOTS: "20"}
 UNSEEN = Pen(width=0.18)
 DOTTED, RING = "0", "2"  # styles of points
 

@@ -22,7 +22,7 @@ from ..registry import Stage, method
 from .standing import Stand, Weighing
 
 PRODUCTS = view_named("products")
-LONG = 90.0  # mm: all products of a polygon in line
+LONG = 120.0  # mm: all products of a polygon in line
 SIZE = 2.5  # mm: of a counterweight on the diagram
 
 

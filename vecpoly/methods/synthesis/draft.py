@@ -12,7 +12,7 @@ from ...algebra.formula import Txt
 from ...algebra.quantity import Expr, Quantity, magnitude
 from ...algebra.worked import stated
 from ...board.candidates import Candidate
-from ...board.construction import Place, Reading, View
+from ...board.construction import Figure, Place, Reading, View
 from ...designs.base import MOST, Design, numbered
 from ...designs.verdict import Verdict
 from ...foundation.frozen import FrozenMap
@@ -48,7 +48,8 @@ class Draft(Bench):
     numbers: the number of each candidate in the order in which they are found, as a first sketch tells it, and how many
     of them are valid. sketched: the candidates of that sketch, at the scale of this sheet. asked: the keys that are to
     be read. take: the number of the solution that is taken. rejected: whether the candidate found next is no solution.
-    kind: what linkage that is.
+    kind: what linkage that is. parts: with which step what is drawn for another solution alone begins, and how
+    many have been found before.
     """
 
     numbers: tuple[int, ...] = ()
@@ -59,6 +60,7 @@ class Draft(Bench):
     rejected: bool = False
     kind: Words | None = None
     found: list[Found] = field(default_factory=list)
+    parts: list[tuple[int, int]] = field(default_factory=list)
 
     # -- numbers and letters ---------------------------------------------------------------------------------
 
@@ -109,6 +111,17 @@ class Draft(Bench):
             left.pop(number, None)
             numbers.append(number)
         self.numbers = tuple(numbers)
+
+    def begins(self) -> None:
+        """With the next step begins what is drawn for another solution alone."""
+        self.parts.append((len(self.board.steps) + 1, len(self.found)))
+
+    def figures(self, titles: Mapping[View, Words]) -> tuple[Figure, ...]:
+        """What was drawn; the sheet knows its parts, where each is of one solution."""
+        made, counts = self.board.figures(titles), [before for _, before in self.parts]
+        each = counts == [*range(len(self.found))] and all(one.verdict is Verdict.VALID for one in self.found)
+        parts = tuple((step, self.found[n].number) for step, n in self.parts) if each else ()
+        return tuple(replace(one, parts=parts) if one.view is SHEET and not one.name else one for one in made)
 
     # -- reading --------------------------------------------------------------------------------------------
 

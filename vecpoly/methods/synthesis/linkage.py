@@ -1,4 +1,5 @@
-"""A linkage that is found: thick in one position, dashed in the others, in thin dashes where it is rejected."""
+"""A linkage that is found: thick in one position, dashed in the others, another solution in dashes and dots, in thin
+dashes where it is rejected."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ def drawn(draft: Draft, thick: Chain, *thin: Chain, verdict: Verdict = Verdict.V
     """The links of a candidate as chains of pins in its positions; a rejected one in thin dashes, in the first."""
     for chain in thin if verdict is Verdict.VALID else ():
         _bars(draft, chain, Role.OTHER)
-    full = Role.LINK if draft.number == draft.take else Role.GIVEN
+    full = Role.LINK if draft.number == draft.take else Role.SECOND
     _bars(draft, thick, full if verdict is Verdict.VALID else Role.HIDDEN)
 
 

@@ -33,7 +33,7 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
     construction = Construction(
         problem=problem.id,
         hand=by.name,
-        figures=board.figures({SHEET: find_design(_design(problem)).sheet}),
+        figures=draft.figures({SHEET: find_design(_design(problem)).sheet}),
         steps=board.told(steps),
         acts=tuple(board.acts),
         readings=told,
@@ -95,4 +95,4 @@ def _scale(problem: Problem, sketch: Draft, at: float, paper: Paper) -> float:
     given = problem.scales.of(SHEET.mu)
     if given is not None:
         return given
-    return paper.compose(sketch.board.figures(), {SHEET: at}, {}).get(SHEET, at)
+    return paper.compose(sketch.figures({}), {SHEET: at}, {}).get(SHEET, at)

@@ -48,7 +48,7 @@ def placed(one: Placed, construction: Construction, lang: Lang) -> str:
             return shown(figure if own is None or own.scale == figure.scale else own, lang)
         if one.figure is not None and figure.view is one.view and is_detail(one.name, figure):
             return f"{shown(one.figure, lang)}{_PART.of(lang)}{words_said(figure.title.of(lang), lang)}"
-    return words_said(one.view.title.of(lang), lang)
+    return words_said(one.view.title.of(lang), lang) if one.figure is None else shown(one.figure, lang)
 
 
 def _listed(names: list[str], lang: Lang) -> str:

@@ -16,39 +16,42 @@ from ....board.paper.scales import Sketched
 from ....board.place import Place
 from ....foundation.slotted import replace
 from ....foundation.stock import ANY_A4, Paper
-from ..space import HIGHEST, PLATE, SPARSE, rooms
+from ..pages import FULLER
+from ..space import HIGHEST, LARGEST, PLATE, SPARSE, rooms
 from .balancing import balanced
 from .composition import CRAMPED, LOST, OWN, Composing, Scales, least_scales
 from .growing import grown
 
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
+NARROWER = 1.4  # times: no figure is made smaller than this for the sake of a plate as wide as the text
 LARGER = 1.3  # times as large a mechanism is drawn on one sheet more, at least: 1.5 for 2, 3 for 4
 TAKEN = 0.45  # planned share of all sheets that figures take where one more is drawn about a short crank
 FULL = 0.53  # planned share of the emptiest of these sheets, or of the plate that it becomes
 WELL, LETTERS = 0.58, 0.5  # the same of a mechanism that is small altogether; of one that is small for its letters
 
 
-def composed(figures: Sequence[Sketched], given: Mapping[View, float], on: Paper = ANY_A4) -> Scales:
+def composed(figures: Sequence[Sketched], given: Mapping[View, float], on: Paper = ANY_A4, kept: float = 0.0) -> Scales:
     """A round scale for each kind of figure that has none given.
 
-    given: scales that stay. on: the paper, which lies as is wished, or as it holds more. Where one sheet holds the
-    figures and there is one scale to choose, they grow into the white beside their titles.
+    given: scales that stay. on: the paper, which lies as is wished, or as it holds more. kept: so much (mm) of a sheet
+    stays free. Where one sheet holds the figures and there is one scale to choose, they grow into the white beside
+    their titles.
     """
     kinds = {one.of for one in figures if one.of is not None and max(one.size) > 0} - set(given)
     there = {one.of: one.scale for one in figures if one.of is not None}
     known = dict(given)
     start = there | known
     if len(kinds) == 1:
-        grown = _composed(figures, kinds, start, on)
-        if any(Composing(figures, kinds, page).needed(start | grown) == 1 for page in rooms(on)):
+        grown = _composed(figures, kinds, start, on, kept)
+        if any(Composing(figures, kinds, page).needed(start | grown) == 1 for page in rooms(on, kept)):
             return grown
-    return _composed([replace(one, spare=0.0) for one in figures], kinds, start, on)
+    return _composed([replace(one, spare=0.0) for one in figures], kinds, start, on, kept)
 
 
-def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on: Paper) -> Scales:
+def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on: Paper, kept: float) -> Scales:
     """The scales with which the figures fill as few sheets as will do, or a plate."""
     start = there | least_scales(kinds, figures)
-    trials = [Composing(figures, kinds, page) for page in rooms(on)]
+    trials = [Composing(figures, kinds, page) for page in rooms(on, kept)]
     made = [(trial, found) for trial in trials if (found := grown(trial, start)) is not None]
     if not made:
         return {kind: start[kind] for kind in kinds}
@@ -58,6 +61,8 @@ def _composed(figures: Sequence[Sketched], kinds: set[Place], there: Scales, on:
     best = balanced(trials, best)
     if on.way is None and trial.share(best) < LOST:
         best = _lower(trial, best, start)
+    if on.way is None and trial.leaves_bands(best):
+        best = _narrower(trial, best, start)
     return {kind: best[kind] for kind in kinds}
 
 
@@ -85,3 +90,13 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
         return best
     share = page.share(best)
     return best if plate.low(low) <= share or (share >= SPARSE and plate.cramped(low, best)) else low
+
+
+def _narrower(page: Composing, best: Scales, start: Scales) -> Scales:
+    """Somewhat coarser scales, where figures that leave bands of their page white find room on a plate so, which is no
+    wider than the text; else as they are."""
+    plate = Composing(page.figures, page.kinds, (PLATE, LARGEST))
+    if plate.low(best, LARGEST) > 0 or (low := grown(plate, start)) is None or not plate.low(low, LARGEST):
+        return best
+    smaller = any(low[kind] > NARROWER * best[kind] for kind in page.kinds)
+    return best if smaller or plate.low(low, LARGEST) < page.share(best) + FULLER or plate.roomy(low) < 1.0 else low

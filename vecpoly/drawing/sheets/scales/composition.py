@@ -13,9 +13,9 @@ from ....board.paper.scales import Sketched, round_up
 from ....board.place import Pane, Place, view_of
 from ....foundation.slotted import dataclass
 from ..packing import Layout, flat, inner, pack, padded
-from ..pages import Paging, covered, trimmed
+from ..pages import BANDS, INKED, Paging, covered, trimmed
 from ..slicing import Pair, Size, Slicing
-from ..space import CLEAR, SPARSE
+from ..space import CLEAR, HIGHEST, PLATE, SPARSE
 
 NEVER = 10**6  # sheets: of figures of which one fits none
 LEAST = 0.55  # of the usual size: smaller no figure is drawn to save a sheet
@@ -126,11 +126,18 @@ class Composing:
         """The more, the better: few sheets, on which figures are not lost, and large figures."""
         return -self.needed(scales), self.share(scales) >= LOST, self.filled(scales)
 
-    def low(self, scales: Mapping[Place, float]) -> float:
-        """What they take of a plate as low as its width allows; 0 where it would be as high as a page."""
+    def low(self, scales: Mapping[Place, float], most: float = HIGHEST) -> float:
+        """What they take of a plate as low as its width allows; 0 where it would be higher than this (mm)."""
         sizes = self.sizes(scales)
-        layout = flat(sizes, self.pairs)
+        layout = flat(sizes, self.pairs, (PLATE, most))
         return 0.0 if layout is None else layout.share(sizes)
+
+    def leaves_bands(self, scales: Mapping[Place, float]) -> bool:
+        """Whether the figures leave bands of their one page white, about them or between them."""
+        sizes = self.sizes(scales)
+        layout = pack(sizes, self.page, tuple(self.pairs))
+        own = sum(wide * high for wide, high in sizes) / (self.page[0] * self.page[1])
+        return layout is not None and (layout.share(sizes) < BANDS or own < INKED)
 
     def least(self, scales: Mapping[Place, float]) -> float:
         """How large the smallest kind is against what is usual."""

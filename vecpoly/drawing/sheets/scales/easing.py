@@ -22,7 +22,9 @@ MOST_COARSER = 1.3  # times: a figure that is read is not made smaller for the s
 MANY = 4  # details of a construction that are worth a sheet
 
 
-def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float], on: Paper) -> Scales:
+def eased(
+    figures: Sequence[Crowded], best: Scales, given: Mapping[View, float], on: Paper, kept: float = 0.0
+) -> Scales:
     """These scales, or coarser ones at which figures that have one sheet have it with their details, too: with all of
     them, or with the worst of each figure; as they are where these would be too small. Many details have two sheets
     rather than few of them one, where the figures fill both well."""
@@ -30,7 +32,7 @@ def eased(figures: Sequence[Crowded], best: Scales, given: Mapping[View, float],
     count = sum(len(one.knots(there[one.of])) for one in figures if one.of is not None)
     if not count:
         return best
-    pages = rooms(on)
+    pages = rooms(on, kept)
     alone = [replace(one, most=0) for one in figures]
     if all(Composing(alone, set(best), page, CLOSE).needed(there) > 1 for page in pages):
         return best

@@ -12,7 +12,7 @@ from ....devices.train import Part, Train
 from ....diagram.single import machine
 from ....words import Words
 
-BOX, HEIGHT, GAP, ROW = 17.0, 12.0, 16.0, 24.0  # mm on paper: five machines in a row fit the text
+BOX, HEIGHT, GAP, ROW = 16.5, 12.0, 13.5, 24.0  # mm on paper: five machines in a row fit the text
 ASIDE = 0.5j  # mm: the power stands over the arrow
 
 NAMES = {

@@ -70,6 +70,7 @@ def _loci(draft: Draft, rocker: Rocker, theta: Quantity) -> Iterator[Locus]:
         return
     for way in (-1, 1):
         size = float(nominal(np.abs(rocker.c1 - rocker.d)))
+        draft.begins()
         yield eta(draft, (rocker.c1, rocker.c2), theta, way, way < 0, size)
 
 

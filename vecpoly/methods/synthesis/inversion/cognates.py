@@ -108,6 +108,14 @@ def _triangles(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
     return {"H": h, "N": n}
 
 
+_CHAINS = (  # thinner than the four-bar that is given, each in lines of its own
+    ("AGHF", Role.GIVEN),
+    ("GEH", Role.GIVEN),
+    ("DMNF", Role.SECOND),
+    ("MEN", Role.SECOND),
+)
+
+
 def _third_pivot(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
     """E H F N a parallelogram; ADF similar to BCE as a check."""
     board = draft.board
@@ -129,9 +137,9 @@ def _third_pivot(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
             f" Check: $ADF$ is similar to $BCE$; $F$ found so differs by {off:.2f} mm.",
         )
     )
-    for chain in ("AGHF", "GEH", "DMNF", "MEN"):  # thinner than the four-bar that is given
+    for chain, role in _CHAINS:
         for one, two in pairwise(chain):
-            board.join(SHEET, {**pins, "F": f}[one], {**pins, "F": f}[two], Role.GIVEN)
+            board.join(SHEET, {**pins, "F": f}[one], {**pins, "F": f}[two], role)
     return {"F": f}
 
 

@@ -20,6 +20,7 @@ from .....words import Words
 from ...bench import Bench
 from ..polygon import heading
 from ..scales import AXIS, END_VIEW, FEW, LUMP, arm_letter, has_plane_views, widest
+from .missing import drilled, void
 
 RIM = 6.0  # mm from the outermost mass to the rim of a disc
 FIRST, STEP = 8.0, 4.5  # mm: radius of the first angle, from one to the next
@@ -99,7 +100,7 @@ def solved_from_its_end(bench: Bench, rotor: Rotor, which: str) -> None:
             continue
         missing = mass.removed or (size is not None and float(nominal(size)) < 0)
         placed = mass.r.si / mm * complex(heading(at))
-        _mass_at(bench, view, placed, f"m_{{{name}}}", missing=missing, within=_is_disc(rotor))
+        _mass_at(bench, view, mass, placed, f"m_{{{name}}}", missing=missing, within=_is_disc(rotor))
 
 
 def _parts_in(one: str, other: str, arm: str) -> Words:
@@ -130,7 +131,10 @@ def added_seen(bench: Bench, rotor: Rotor, end: str, plane: RotorPlane, turns: l
     for turn, label in zip(turns, labels, strict=True):
         at = complex(heading(turn)) * away
         board.join(view, 0j, at, Role.HIDDEN)
-        board.circle(view, at, LUMP, Role.RESULT if plane.hole is None else Role.HIDDEN)
+        if plane.hole is None:
+            board.circle(view, at, LUMP, Role.RESULT)
+        else:
+            drilled(bench, view, at, plane, end)
         board.plot(view, at, label, Dot.NONE)
 
 
@@ -160,18 +164,22 @@ def _mass_seen(
     if mass.r is None:
         bench.board.arrow(view, 0j, at, Role.GIVEN, label=label)
     else:
-        _mass_at(bench, view, at, label, missing=missing, within=within)
+        _mass_at(bench, view, mass, at, label, missing=missing, within=within)
 
 
-def _mass_at(bench: Bench, view: Place, at: complex, label: str, *, missing: bool, within: bool) -> None:
-    """Within a disc a thin line leads to it, and what is missing is a hole; else it sits on an arm."""
+def _mass_at(
+    bench: Bench, view: Place, mass: RotorMass, at: complex, label: str, *, missing: bool, within: bool
+) -> None:
+    """Within a disc a thin line leads to it, and what is missing is a hole or a keyway; else it sits on an arm."""
     board = bench.board
     if within:
         board.join(view, 0j, at, Role.CONSTRUCTION)
     else:
         board.depict(view, rod(f"mass {label}", 0j, at * (1 - LUMP / abs(at))))
-    if missing:
-        board.circle(view, at, LUMP, Role.GIVEN if within else Role.HIDDEN)
+    if missing and within:
+        void(bench, view, at, mass, Role.GIVEN)
+    elif missing:
+        board.circle(view, at, LUMP, Role.HIDDEN)
     else:
         board.depict(view, disc(f"mass {label}", at, LUMP))
     board.plot(view, at, label, Dot.NONE)

@@ -1,0 +1,66 @@
+"""Scales with which sheets have room for the band of a legend over their title strip."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ....board.construction import View
+from ....board.paper.scales import Sketched
+from ....foundation.stock import Paper
+from ..space import LEGEND, rooms
+from .composing import composed
+from .composition import Composing, Scales
+from .crowding import Crowded
+from .easing import CLOSE, eased
+from .refilling import refilled
+
+COARSER, FILLED = 1.6, 0.8  # times: no figure is made smaller than this for the sake of a legend; of a sheet
+SURE = 8.0  # mm of a sheet that stay free where figures grow once more: what is planned may turn out larger
+
+
+def over_legend(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Mapping[View, float], on: Paper) -> Scales:
+    """The scales with which these figures fill their sheets; somewhat coarser ones where no band of white is left on
+    them for a legend, and no further sheet is asked for.
+
+    bare: the same figures without their details.
+    """
+    there = {one.of: one.scale for one in figures if one.of is not None} | dict(given)
+    best = _chosen(figures, bare, given, on)
+    if not best:
+        return best
+    if _needed(figures, there | best, on, LEGEND + SURE) > 1:
+        return best
+    found = refilled([*_composings(figures, on, LEGEND + SURE)], there | best, set(best))
+    return {kind: found[kind] for kind in best}
+
+
+def _chosen(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Mapping[View, float], on: Paper) -> Scales:
+    """Those that fill the whole sheets, or others with room for a legend."""
+    best, less = (eased(figures, composed(bare, given, on, kept), given, on, kept) for kept in (0.0, LEGEND))
+    if best == less or not best:
+        return best
+    there = {one.of: one.scale for one in figures if one.of is not None} | dict(given)
+    sheets = _needed(figures, there | best, on, 0.0)
+    if _needed(figures, there | best, on, LEGEND) == sheets:
+        return best
+    small = any(less[kind] > COARSER * best[kind] for kind in best)
+    if small or _needed(figures, there | less, on, LEGEND) > sheets:
+        return best
+    full, fuller = (_fullness(figures, there | scales, on) for scales in (less, best))
+    return less if full >= min(FILLED, fuller) else best
+
+
+def _composings(figures: Sequence[Crowded], on: Paper, kept: float = 0.0) -> Iterator[Composing]:
+    """The figures with their details on sheets that lie either way, so much of each (mm) kept free."""
+    kinds = {one.of for one in figures if one.of is not None}
+    yield from (Composing(figures, kinds, page, CLOSE) for page in rooms(on, kept))
+
+
+def _needed(figures: Sequence[Crowded], scales: Scales, on: Paper, kept: float) -> int:
+    """How many sheets hold them at these scales."""
+    return min(one.needed(scales) for one in _composings(figures, on, kept))
+
+
+def _fullness(figures: Sequence[Crowded], scales: Scales, on: Paper) -> float:
+    """What they take of the emptiest of their sheets."""
+    return max(one.fullness(scales) for one in _composings(figures, on))
