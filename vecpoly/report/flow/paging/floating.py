@@ -10,7 +10,7 @@ from typing import Any
 from reportlab.platypus.doctemplate import ActionFlowable, BaseDocTemplate, NextPageTemplate
 from reportlab.platypus.flowables import PageBreak
 
-from ..blocks import Callout, Divider, Drawing, SheetPage
+from ..blocks import Callout, Divider, Drawing, Plate, SheetPage
 from ..listing import Listing
 from .justified import stretches
 from .together import first_of
@@ -109,12 +109,16 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
             self.white.append(0.0 if listed else self.frame.white)
         if self.pageTemplate.id == "text" and self._waiting:
             self._waiting = [(sheet, pages - 1) for sheet, pages in self._waiting]
-            due = [sheet for sheet, pages in self._waiting if pages <= 0]
-            self._waiting = [(sheet, pages) for sheet, pages in self._waiting if pages > 0]
+            due = [sheet for sheet, pages in self._waiting if pages <= 0 and not self._precedes(sheet)]
+            self._waiting = [(sheet, pages) for sheet, pages in self._waiting if sheet not in due]
             if due:
                 NextPageTemplate(template_of(due[0])).apply(self)
                 self._ahead[:0] = _between(due)[2:]
         super().handle_pageEnd()
+
+    def _precedes(self, sheet: SheetPage) -> bool:
+        """Whether a plate is still to come that has a smaller number than this sheet."""
+        return not sheet.led and any(isinstance(item, Plate) for item in (*self._figures, *self._ahead))
 
     def rest(self) -> None:
         """All figures and sheets that are still waiting, here."""

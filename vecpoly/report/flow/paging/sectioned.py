@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from copy import copy
 from typing import Any
 
-from ..blocks import Heading, SheetPage
+from ..blocks import Heading, Plate, SheetPage
 from ..doc import ReportDoc
 from .setting import faults_of
 from .together import first_of
@@ -25,7 +25,8 @@ def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
     if not sheets or len(sheets) != sum(isinstance(item, SheetPage) for item in story) or _stands(doc):
         return story, doc
     text = [item for item in story if item not in sheets]
-    for at in heads(text):
+    plates = max((at for at, item in enumerate(text) if isinstance(item, Plate)), default=-1)
+    for at in (one for one in heads(text) if one > plates):
         found = [*text[:at], *map(settled, sheets), *text[at:]]
         tried = ReportDoc(found, doc.metadata)
         if tried.counted() <= doc.page and _parts_well(tried) and faults_of(tried) <= faults_of(doc):
