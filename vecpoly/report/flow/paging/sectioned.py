@@ -25,8 +25,7 @@ def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
     if not sheets or len(sheets) != sum(isinstance(item, SheetPage) for item in story) or _stands(doc):
         return story, doc
     text = [item for item in story if item not in sheets]
-    plates = max((at for at, item in enumerate(text) if isinstance(item, Plate)), default=-1)
-    for at in (one for one in heads(text) if one > plates):
+    for at in heads(text):
         found = [*text[:at], *map(settled, sheets), *text[at:]]
         tried = ReportDoc(found, doc.metadata)
         if tried.counted() <= doc.page and _parts_well(tried) and faults_of(tried) <= faults_of(doc):
@@ -40,8 +39,9 @@ def _stands(doc: ReportDoc) -> bool:
 
 
 def heads(text: Sequence[Any]) -> Iterator[int]:
-    """Where sections begin, the last first."""
-    for at in range(len(text) - 1, 0, -1):
+    """Where sections begin, the last first, behind the plates of the text, which have the smaller numbers."""
+    plates = max((at for at, item in enumerate(text) if isinstance(item, Plate)), default=0)
+    for at in range(len(text) - 1, plates, -1):
         if isinstance(text[at], Heading) and not getattr(text[at - 1], "keepWithNext", 0):
             yield at
 
