@@ -25,7 +25,8 @@ def test_a_power_follows_from_ones_own_efficiency() -> None:
 
 def test_nobody_who_wrote_another_value_of_what_a_mistake_moves_is_said_to_have_made_it() -> None:
     """What else was written agrees with a θ of 45°, without K; with θ = 12.6° it cannot come from that."""
-    cells = {"AD_2": "269", "gamma_min_2": "21.2", "AD": "176"}
+    without = next(one for one in mutants_of("8-15") if str(one.slip) == "θ left out of its formula (K)")
+    cells = {name: f"{without.values[name].value:.3g}" for name in ("theta", "AD", "AD_2", "gamma_min_2")}
     (made,) = set(marked("8-15", cells).slips.values())
     assert str(made) == "θ left out of its formula (K)"
     assert not marked("8-15", cells | {"theta": "12.6"}).slips

@@ -25,7 +25,7 @@ from vecpoly.cycle.facts.path_words import path_sentences
 from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.drawing.details.apart import ROMAN, detailed, shown
 from vecpoly.drawing.details.knot import Knot
-from vecpoly.drawing.details.knots import ROUND, TWINS, knots
+from vecpoly.drawing.details.knots import ABOUT, LINES, ROUND, TWINS, knots
 from vecpoly.errors import NoMethodError, NotAskedError
 from vecpoly.problem.load import loads
 from vecpoly.solution import solve
@@ -321,7 +321,9 @@ def test_letters_of_a_knot_stand_in_the_detail_and_those_of_three_places_in_the_
         places = [m.at for m in figure.marks if isinstance(m, Point) and knot.holds(m.at) and m.label]
         twins = any(TWINS[0] <= abs(a - b) <= TWINS[1] for a, b in combinations(places, 2))
         assert sum(all(abs(at - one) > 0.3 for one in [*left][:n]) for n, at in enumerate(left)) <= 3
-        assert len(inside) >= 3 or held or twins or any(2 * m.radius < ROUND for m in circles)
+        ends = [end for m in figure.marks if isinstance(m, Segment | Vector) for end in (m.a, m.b)]
+        hidden = any(sum(abs(end - (a + b) / 2) <= ABOUT for end in ends) >= LINES for a, b in combinations(places, 2))
+        assert len(inside) >= 3 or held or twins or hidden or any(2 * m.radius < ROUND for m in circles)
         assert set(inside) <= {m.label for m in detail.marks if isinstance(m, Point)}
         names = {m.label for m in detailed(figure)[0].marks if isinstance(m, Point)}
         assert any(

@@ -111,8 +111,12 @@ def test_lines_that_reckon_the_same_of_many_bodies_stand_two_by_two(name: str) -
 
 
 def test_the_largest_deviation_is_named_with_what_was_expected() -> None:
-    told = verdict_of(solve(load("klann-leg")), "zh")
-    assert told == "各偏差均不超过预期误差，最大的是 $α_5$（0.82 %，预期误差 6.25 %）。"
+    solution = solve(load("klann-leg"))
+    told = verdict_of(solution, "zh")
+    assert (said := re.fullmatch(r"各偏差均不超过预期误差，最大的是 \$(.)_(\d)\$（(.*) %，预期误差 (.*) %）。", told))
+    off = {key: abs(one.drawn / one.exact - 1) for key, one in solution.answers.items() if not one.is_place}
+    assert {"α": "alpha", "ω": "omega"}[said[1]] + f"_{said[2]}" == max(off, key=lambda key: off[key])
+    assert float(said[3]) == pytest.approx(100 * max(off.values()), abs=0.1) and float(said[4]) > float(said[3])
 
 
 def test_what_is_ill_conditioned_is_named_and_to_be_computed() -> None:
