@@ -51,9 +51,10 @@ def widened(given: Measured, target: Target) -> float:
 
 
 def _upwards(graded: Graded, target: Target, rule: Allowance) -> float:
-    """T of what comes out larger, where drawings scatter by more than the value: none comes out less than nothing."""
-    held = graded.demoted and graded.unit != "deg" and target.allowed >= abs(target.value)
-    return rule.k * graded.sigma if held else 0.0
+    """T of a length that is hardly one and comes out longer, where drawings scatter by more than it: none comes out less
+    than nothing."""
+    short = graded.demoted and graded.mm is not None and graded.mm < rule.short
+    return rule.k * graded.sigma if short and target.allowed >= abs(target.value) else 0.0
 
 
 def is_other_sense(given: Measured, graded: Graded) -> bool:
