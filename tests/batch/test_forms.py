@@ -18,7 +18,7 @@ from tests.batch.homework import TEXT, made
 from tests.grading.cases import key_of, problem_of
 from tests.marked.classes import register
 from vecpoly.batch.bundles import merged, zipped
-from vecpoly.batch.forms.columns import columns_of
+from vecpoly.batch.forms.columns import columns_of, per_mm
 from vecpoly.batch.forms.profile import ColumnOf, Profile, read_profile, refuse_unknown, table_bytes
 from vecpoly.batch.forms.workbooks import answers_bytes, key_bytes
 from vecpoly.batch.moodle.quiz import Quizzes
@@ -28,6 +28,7 @@ from vecpoly.batch.sheet.compose import composed
 from vecpoly.batch.sheet.write import sheet_bytes
 from vecpoly.batch.student import Student
 from vecpoly.errors import VecpolyError
+from vecpoly.figures import scales
 from vecpoly.grading.key import Kind
 from vecpoly.problem.ranges import Range
 from vecpoly.solution import solve
@@ -76,6 +77,14 @@ def test_the_answers_form_locks_who_it_is_and_says_units_in_row_two(done: tuple[
     assert [cell.value for cell in page[4][:4]] == ["20230002", "=1+1", "@x", done[1].sheets[1].sheet]
     assert all(cell.data_type == "s" and cell.protection.locked for cell in page[4][:4])
     assert not any(cell.protection.locked for cell in page[4][4:])
+
+
+@pytest.mark.parametrize(
+    ("mu", "unit"),
+    [("mu_l", "m/mm"), ("mu_v", "(m/s)/mm"), ("mu_a", "(m/s²)/mm"), ("mu_F", "N/mm"), ("mu_W", "kg·m/mm")],
+)
+def test_every_scale_has_its_unit_in_row_two(mu: str, unit: str) -> None:
+    assert per_mm(mu) == unit and all(map(per_mm, scales()))
 
 
 def test_a_cell_takes_a_sense_from_a_list_and_a_length_that_fits_the_page(done: tuple[Path, Register]) -> None:

@@ -65,7 +65,9 @@ def grade(order: Order, told: Told) -> Graded:
     if order.drawings is not None:
         drawn = grade_drawings(register, returned, order.drawings, order.out, order.lang, told)
     marked = mark_class(register, returned, order.scheme, order.jobs, drawn)
-    results = tuple(own_work(register, one, order.scheme) for one in _counted(marked, len(register.sheets), told))
+    results = tuple(
+        own_work(register, one, order.scheme, returned) for one in _counted(marked, len(register.sheets), told)
+    )
     results = tuple(replace(one, aside=one.student.number in returned.aside) for one in results)
     faults = (*returned.faults, *drawn.faults)
     changed = None if before is None else differences(before, record(results, register.assignment))
@@ -104,7 +106,9 @@ def _tables(
 ) -> Iterator[Path]:
     out, lang = order.out, order.lang
     yield write_whole(out / "grades.csv", csv_bytes(grade_rows(results, lang)))
-    yield write_whole(out / "grades.xlsx", xlsx_bytes(results, items(results), lang, order.scheme.rules))
+    first = next(iter(order.register.sheets), None)
+    keys = [order.scheme.key(part.key) for part in first.parts] if first else []
+    yield write_whole(out / "grades.xlsx", xlsx_bytes(results, items(results), lang, keys, order.scheme.rules))
     yield write_whole(out / "queue.csv", csv_bytes(queue_rows(results, lang, faults)))
     yield write_whole(out / NAME, record_bytes(results, order.register.assignment))
     if changed is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ...figures import scales as kinds
 from ...grading.equations.row import EquationRow
 from ...grading.key import Graded, Kind
 from ...names import written_unit
@@ -46,11 +47,10 @@ IDENTITY = (("学号", "number"), ("姓名", "name"), ("班级", "class"), ("卷
 
 
 def per_mm(mu: str) -> str:
-    """The unit of a scale, where it is told."""
-    return _PER_MM.get(mu, "")
-
-
-_PER_MM = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm", "mu_F": "N/mm"}
+    """The unit in which a scale without one is taken."""
+    kind = kinds().get(mu)
+    unit = "" if kind is None else written_unit(kind.unit)
+    return f"({unit})/mm" if "/" in unit else f"{unit}/mm" if unit else ""
 
 
 def columns_of(register: Register) -> tuple[Column, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import permutations
 
 from ...foundation.slotted import replace
@@ -39,18 +39,22 @@ def in_order(key: AnswerKey, sheet: Sheet) -> tuple[Sheet, tuple[Message, ...]]:
 
 def _renumbered(key: AnswerKey, sheet: Sheet, meant: Mapping[str, str]) -> Sheet:
     names = {one.key for one in key.quantities}
+    bare = next((n for n in meant if not any(name.endswith(f"_{n}") for name in names)), "")
     answers = {}
     for name, text in sheet.answers.items():
-        other = _other(name, meant)
-        answers[other if other in names else name] = text
+        answers[next((other for other in _others(name, meant, bare) if other in names), name)] = text
     return replace(sheet, answers=answers) if len(answers) == len(sheet.answers) else sheet
 
 
-def _other(name: str, meant: Mapping[str, str]) -> str:
+def _others(name: str, meant: Mapping[str, str], bare: str) -> Iterator[str]:
+    """The same quantity of the solution that is meant; that of the number `bare` has none: AB, AB_2."""
     found = _NUMBERED.fullmatch(name)
-    if found is None or found[4] not in meant or not (found[2] or found[3]):
-        return name
-    return f"{found[1]}{found[2]}{found[3]}{meant[found[4]]}{found[5]}"
+    if found is not None and found[4] in meant and (found[2] or found[3]):
+        yield f"{found[1]}{found[2]}{found[3]}{meant[found[4]]}{found[5]}"
+        if found[2] and meant[found[4]] == bare:
+            yield found[1]
+    elif bare:
+        yield f"{name}_{meant[bare]}"
 
 
 def _right(key: AnswerKey, sheet: Sheet) -> int:

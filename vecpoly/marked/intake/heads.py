@@ -43,8 +43,8 @@ class Head:
 
 def identity(cell: str) -> str | None:
     """What of a student a column holds: student, name, team, sheet."""
-    bare = plain(cell).lower().replace("_", " ").strip(" .:*")
-    return next((what for what, heads in _IDENTITY.items() if bare in heads), None)
+    bare = plain(cell).lower().replace("_", "").replace(" ", "").strip(".:*")
+    return next((what for what, heads in _IDENTITY.items() if bare in {one.replace(" ", "") for one in heads}), None)
 
 
 def head(cell: str, keys: Mapping[str, AnswerKey], default: str | None = None) -> Head:
