@@ -68,8 +68,9 @@ def grade(order: Order, told: Told) -> Graded:
     results = tuple(
         own_work(register, one, order.scheme, returned) for one in _counted(marked, len(register.sheets), told)
     )
-    results = tuple(replace(one, aside=one.student.number in returned.aside) for one in results)
     faults = (*returned.faults, *drawn.faults)
+    aside = {str(one.numbers["student"]) for one in faults if "student" in one.numbers}
+    results = tuple(replace(one, aside=one.student.number in aside) for one in results)
     changed = None if before is None else differences(before, record(results, register.assignment))
     files = list(_tables(order, results, faults, changed))
     if order.feedback:

@@ -38,7 +38,7 @@ _BESIDE: tuple[tuple[Words, Callable[[Marked], float | None]], ...] = (  # point
     (Words("单位", "units"), lambda marked: -marked.lost or None),
 )
 _NOTHING = Words("没有交", "nothing returned")
-_ASIDE = Words("有一行未用，见待人工批改的清单", "a row was not used, see the queue")
+_ASIDE = Words("有一行或一份图未用，见待人工批改的清单", "a row or a drawing was not used, see the queue")
 _PAGES = (Words("成绩", "grades"), Words("逐题分析", "items"), Words("待人工批改", "queue"), SCHEME)
 
 
