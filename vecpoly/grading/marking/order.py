@@ -37,6 +37,14 @@ def in_order(key: AnswerKey, sheet: Sheet) -> tuple[Sheet, tuple[Message, ...]]:
     return best, (message(Told.RENUMBERED, pairs=pairs),)
 
 
+def same_of_others(key: AnswerKey, name: str) -> tuple[str, ...]:
+    """The same quantity of the other solutions: of AB_2 there is AB_1, or AB where one has no number."""
+    names = {one.key for one in key.quantities if one.asked}
+    base = name.rpartition("_")[0] if name.rpartition("_")[2] in map(str, key.solutions) else name
+    same = (base, *(f"{base}_{n}" for n in key.solutions))
+    return tuple(one for one in same if one in names and one != name) if key.solutions else ()
+
+
 def _renumbered(key: AnswerKey, sheet: Sheet, meant: Mapping[str, str]) -> Sheet:
     names = {one.key for one in key.quantities}
     bare = next((n for n in meant if not any(name.endswith(f"_{n}") for name in names)), "")
