@@ -25,6 +25,17 @@ from .out.record import NAME, differences, read_record, record, record_bytes
 from .out.tables import grade_rows, xlsx_bytes
 from .work import Result, mark_class
 
+CHANGES = (
+    Words("学号", "number"),
+    Words("题号", "problem"),
+    Words("量", "quantity"),
+    Words("原得分", "points before"),
+    Words("原结论", "outcome before"),
+    Words("原所写", "written before"),
+    Words("得分", "points"),
+    Words("结论", "outcome"),
+    Words("所写", "written"),
+)
 Told = Callable[[Words, int, int], None]
 
 
@@ -113,5 +124,5 @@ def _tables(
     yield write_whole(out / "queue.csv", csv_bytes(queue_rows(results, lang, faults)))
     yield write_whole(out / NAME, record_bytes(results, order.register.assignment))
     if changed is not None:
-        head: list[Any] = ["number", "problem", "quantity", "points before", "outcome before", "written before"]
-        yield write_whole(out / "changes.csv", csv_bytes([[*head, "points", "outcome", "written"], *changed]))
+        head: list[Any] = [word.of(lang) for word in CHANGES]
+        yield write_whole(out / "changes.csv", csv_bytes([head, *changed]))
