@@ -13,6 +13,8 @@ from ..units.names import plain, unit_of
 from ..units.reading import PerMm, read
 from ..words import Words
 from .key import AnswerKey
+from .reading.characters import plain as typed
+from .reading.number import NUMBER, Number, number
 from .reading.symbol import keyed
 from .reading.written import State, Written, written
 
@@ -82,11 +84,20 @@ def _scale(mu: str, cell: str | float | None, faults: list[Words]) -> float | No
         return None
     kind = kinds()[mu]
     unit = f"({kind.unit})/mm" if "/" in kind.unit else f"{kind.unit}/mm"
+    digits, behind = _numbered(text)
     try:
-        bare = text.replace(".", "").isdigit()
-        value = read(f"{text} {unit}" if bare else text, PerMm(kind.called, kind.unit, kind.example)).si
+        value = read(f"{digits} {behind or unit}".strip(), PerMm(kind.called, kind.unit, kind.example)).si
         value /= unit_of(plain(kind.unit))[0]
     except FaultError as fault:
-        faults.append(fault.words)
+        faults.append(Words.same(f"{mu.replace('mu', 'μ')} = {text}: ") + fault.words)
         return None
     return value if value > 0 else None
+
+
+def _numbered(text: str) -> tuple[str, str]:
+    """A scale as its number, with a decimal point, and what stands behind: all of it where it begins otherwise."""
+    found = NUMBER.match(text := typed(text))
+    value = number(found) if found is not None else None
+    if found is None or not isinstance(value, Number):
+        return "", text
+    return f"{value.value:.12g}", text[found.end() :].strip()

@@ -120,11 +120,24 @@ def _wide_rows(
         if keys is None:
             returned.fault(page.place(n, student), "stranger", _stranger(number))
             continue
+        _of_merged(page, n, heads, number, returned)
         for problem, key in keys.items():
             parts = {one: row[j] for j, one in heads.items() if one.problem == problem and j < len(row)}
             if any(text.strip() for text in parts.values()):  # a row of blanks is nobody's work
                 places = {one.symbol: page.place(n, j) for j, one in heads.items() if one.problem == problem}
                 returned.add(Answers(student=number, problem=problem, cells=joined(key, parts), places=places))
+
+
+def _of_merged(page: Page, n: int, heads: Mapping[int, Head], number: str, returned: Returned) -> None:
+    """Tell that an answer of this row was merged with one above, so that it has none: nobody knows whether it is
+    meant for both."""
+    lost = [j for j in heads if (n, j) in page.merged]
+    if lost:
+        said = Words(
+            "单元格与上面的行合并了，此行没有答案；请取消合并，逐行填写",
+            "a cell is merged with the row above, and this row has no answer in it; unmerge it and fill in each row",
+        )
+        returned.fault(page.place(n, lost[0]), "merged", said, number)
 
 
 def _is_of_units(row: Sequence[str], heads: Mapping[int, Head]) -> bool:
