@@ -9,12 +9,14 @@ from ..board.construction import Scale
 from ..board.place import views
 from ..errors import FaultError
 from ..figures import scales as kinds
+from ..foundation.roman import CLASS
 from ..units.names import plain, unit_of
 from ..units.reading import PerMm, read
 from ..words import Words
 from .key import AnswerKey
 from .reading.characters import plain as typed
 from .reading.number import NUMBER, Number, number
+from .reading.rank import rank
 from .reading.symbol import keyed
 from .reading.written import State, Written, written
 
@@ -55,7 +57,7 @@ def sheet_of(key: AnswerKey, cells: Mapping[str, str | float | None], *, printed
             if meant in rows:
                 marks[meant] = "" if cell is None else str(cell)
             else:
-                answers[meant] = written(cell)
+                answers[meant] = rank(cell) if meant.startswith(CLASS) else written(cell)
         elif (value := _scale(mu, cell, faults)) is not None:
             own[mu] = value
     _asked_by_symbol(key, answers)
