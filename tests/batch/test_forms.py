@@ -30,6 +30,8 @@ from vecpoly.batch.student import Student
 from vecpoly.errors import VecpolyError
 from vecpoly.figures import scales
 from vecpoly.grading.key import Kind
+from vecpoly.grading.reading.written import State
+from vecpoly.grading.sheet import sheet_of
 from vecpoly.problem.ranges import Range
 from vecpoly.solution import solve
 from vecpoly.variants.seeds import Seed
@@ -95,6 +97,23 @@ def test_a_cell_takes_a_sense_from_a_list_and_a_length_that_fits_the_page(done: 
         rules[letters["block:omega_3 sense"]].type == "list" and "↺" in rules[letters["block:omega_3 sense"]].formula1
     )
     assert float(rules[letters["block:v_E mm"]].formula2) == 400
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "unit", "choice"), [("2-9", "determined", "✓ ×", "是,否"), ("2-9", "class_1", "Ⅱ Ⅲ Ⅳ", "Ⅱ,Ⅲ,Ⅳ")]
+)
+def test_what_is_told_in_words_is_chosen_from_them(name: str, key: str, unit: str, choice: str) -> None:
+    """A spreadsheet warned whoever typed 是 that a number was expected."""
+    part = Part(problem=name, attempt=0, values={}, scales={}, key=key_of(name))
+    sheet = Sheet(sheet="S", student=CLASS[0], parts=(part,))
+    few = replace(register(), sheets=(sheet,), exercises=(Exercise(id=name, data={}, fingerprint=""),))
+    page = openpyxl.load_workbook(BytesIO(answers_bytes(few))).worksheets[0]
+    (cell,) = (cell for cell in page[1] if cell.value == f"{name}:{key}")
+    assert page.cell(2, cell.column).value == unit
+    (rule,) = (one for one in page.data_validations.dataValidation if f"{cell.column_letter}3" in str(one.sqref))
+    assert rule.type == "list" and rule.formula1 == f'"{choice}"'
+    sheet_read = sheet_of(key_of(name), {key: choice.partition(",")[0]})
+    assert sheet_read.answers[key].state is State.READ
 
 
 def test_a_place_is_asked_by_both_coordinates_from_a_point_that_is_named() -> None:

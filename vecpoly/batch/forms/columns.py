@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from ...figures import scales as kinds
+from ...foundation.roman import CLASS, NUMERALS
 from ...grading.equations.row import EquationRow
 from ...grading.key import Graded, Kind
 from ...names import written_unit
@@ -22,6 +23,8 @@ class What(StrEnum):
     PLACE = "place"  # both coordinates, in one cell
     DIRECTION = "deg"
     SENSE = "sense"
+    YES_NO = "yes/no"
+    CLASS = "class"  # of a mechanism, by its Roman numeral
     TICKS = "ticks"  # of a row of an equation, a sign a term
 
 
@@ -40,9 +43,10 @@ class Column:
     def head(self) -> str:
         """``3-9:v_E``, ``3-9:v_E mm``, ``3-9:omega_3 sense``, ``3-9:mu_v``."""
         whole = f"{self.problem}:{self.key}"
-        return whole if self.what in (What.VALUE, What.PLACE, What.SCALE, What.TICKS) else f"{whole} {self.what}"
+        return f"{whole} {self.what}" if self.what in (What.LENGTH, What.DIRECTION, What.SENSE) else whole
 
 
+CLASSES = tuple(NUMERALS.values())[1:4]  # Ⅱ Ⅲ Ⅳ: those of Assur groups
 IDENTITY = (("学号", "number"), ("姓名", "name"), ("班级", "class"), ("卷号", "sheet"))
 
 
@@ -82,5 +86,9 @@ def _parts(one: Graded) -> list[tuple[What, str]]:
             return [*([(What.LENGTH, "mm")] if one.mm else []), value, (What.DIRECTION, "°")]
         case Kind.SIGNED:
             return [value, (What.SENSE, "↻ ↺")]
+        case Kind.YES_NO:
+            return [(What.YES_NO, "✓ ×")]
+        case _ if one.key.startswith(CLASS):
+            return [(What.CLASS, " ".join(CLASSES))]
         case _:
             return [value]
