@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from itertools import permutations
 
 from ...foundation.slotted import replace
-from ..compare.band import target_of, weigh
+from ..compare.band import distance, target_of, weigh
 from ..compare.measured import measured
 from ..key import AnswerKey
 from ..reading.written import State
@@ -16,6 +16,7 @@ from ..told.catalogue import Told
 from ..told.message import Message, message
 
 _NUMBERED = re.compile(r"(.+?)(_?)(\(?)(\d+)(\)?)")  # AB_1, l_AB(1)
+SAME = 1e-9  # nearer than that are two solutions that have a length in common
 MOST = 5  # solutions of which every order is tried
 
 
@@ -66,10 +67,14 @@ def _others(name: str, meant: Mapping[str, str], bare: str) -> Iterator[str]:
 
 
 def _right(key: AnswerKey, sheet: Sheet) -> int:
-    """How much is right by the exact values."""
+    """How much is right by the exact values, and as near to them as to those of the other solutions: one that scatters
+    widely may be right by two."""
     right = 0
     for name, text in sheet.answers.items():
         one = key[name]
         mine = measured(text, one, key.scales.get(one.mu)) if text.state is State.READ else None
-        right += mine is not None and weigh(mine, one, target_of(one), key.allowance).is_right
+        if mine is not None and weigh(mine, one, target_of(one), key.allowance).is_right:
+            others = [key[other] for other in same_of_others(key, name)]
+            off = distance(mine, one, target_of(one))
+            right += all(off <= distance(mine, other, target_of(other)) + SAME for other in others)
     return right
