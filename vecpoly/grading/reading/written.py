@@ -53,6 +53,7 @@ class Written:
     why: Words | None = None
 
 
+_TWO_WAYS = Words("写了两个不同的方向", "two directions are written, and are not one")
 _NONE = {
     "-",
     "--",
@@ -137,6 +138,11 @@ def _one(raw: str, bare: str) -> Written:
     arc, bare = bare, in_degrees(bare)
     is_arc = arc != bare
     bare, direction = split_direction(bare)
+    bare, before = split_direction(bare.rstrip()) if direction is not None else (bare, None)
+    if direction is not None and before is not None:  # an arrow, and the column for directions too
+        if direction.beside(before.degrees) > direction.reach + before.reach:
+            return Written(raw=raw, state=State.AMBIGUOUS, why=_TWO_WAYS)
+        direction = min(direction, before, key=lambda one: one.reach)
     bare, senses = split_sense(bare)
     found = NUMBER.match(bare)
     if found is None:

@@ -1,4 +1,4 @@
-"""The class of a mechanism is written by a Roman numeral, as textbooks and our own sheets tell it."""
+"""Roman numerals of classes, as textbooks and our own sheets tell them; arrows beside directions in degrees."""
 
 from __future__ import annotations
 
@@ -31,3 +31,19 @@ def test_what_is_no_class_is_not_read_as_one(text: str) -> None:
 def test_numerals_are_read_where_a_class_is_asked_alone() -> None:
     assert check_answers(load("2-9"), ["class_1=Ⅱ级"]).right and not check_answers(load("2-9"), ["class_1=III"]).right
     assert written("II").state is State.UNREADABLE
+
+
+@pytest.mark.parametrize(
+    ("text", "state", "degrees"),
+    [
+        ("97.5 mm/s ↗ ∠ 72°", State.READ, 72.0),
+        ("0.204∠103° ∠ 103°", State.READ, 103.0),
+        ("0.191 m/s→ ∠ 335°", State.AMBIGUOUS, None),
+        ("0.191 m/s ← ↑", State.AMBIGUOUS, None),
+    ],
+)
+def test_an_arrow_beside_a_direction_that_it_agrees_with_is_no_matter(
+    text: str, state: State, degrees: float | None
+) -> None:
+    found = written(text)
+    assert found.state is state and (found.direction.degrees if found.direction else None) == degrees
