@@ -99,3 +99,14 @@ def test_the_assignment_of_the_manual_is_one(tmp_path: Path) -> None:
     (tmp_path / "hw3.yaml").write_text(first, encoding="utf-8")
     found = load_assignment(tmp_path / "hw3.yaml")
     assert [bool(problem.ranges) for problem in found.problems] == [True, False] and found.id == "hw3"
+
+
+def test_sheets_of_who_left_or_is_called_otherwise_are_told(first: tuple[Path, Result], tmp_path: Path) -> None:
+    """They lay beside those of the roster, without a word."""
+    folder, before = first
+    assert "may be deleted" not in before.stderr
+    shutil.copytree(folder, tmp_path / "again")
+    (tmp_path / "again" / "名单.csv").write_bytes(ROSTER.replace("王小明", "王晓明").encode("gb18030"))
+    said = run(tmp_path / "again", *COMMAND).stderr
+    old = [f"{where}/20230001_王小明.pdf" for where in ("questions", "solutions")]
+    assert f"may be deleted: {', '.join(old)}" in said.replace("\n", "")

@@ -18,7 +18,7 @@ from tests.batch.homework import TEXT, made
 from tests.grading.cases import key_of, problem_of
 from tests.marked.classes import register
 from vecpoly.batch.bundles import merged, zipped
-from vecpoly.batch.forms.columns import columns_of
+from vecpoly.batch.forms.columns import columns_of, per_mm
 from vecpoly.batch.forms.profile import ColumnOf, Profile, read_profile, refuse_unknown, table_bytes
 from vecpoly.batch.forms.workbooks import answers_bytes, key_bytes
 from vecpoly.batch.moodle.quiz import Quizzes
@@ -28,7 +28,10 @@ from vecpoly.batch.sheet.compose import composed
 from vecpoly.batch.sheet.write import sheet_bytes
 from vecpoly.batch.student import Student
 from vecpoly.errors import VecpolyError
+from vecpoly.figures import scales
 from vecpoly.grading.key import Kind
+from vecpoly.grading.reading.written import State
+from vecpoly.grading.sheet import sheet_of
 from vecpoly.problem.ranges import Range
 from vecpoly.solution import solve
 from vecpoly.variants.seeds import Seed
@@ -78,6 +81,14 @@ def test_the_answers_form_locks_who_it_is_and_says_units_in_row_two(done: tuple[
     assert not any(cell.protection.locked for cell in page[4][4:])
 
 
+@pytest.mark.parametrize(
+    ("mu", "unit"),
+    [("mu_l", "m/mm"), ("mu_v", "(m/s)/mm"), ("mu_a", "(m/s²)/mm"), ("mu_F", "N/mm"), ("mu_W", "kg·m/mm")],
+)
+def test_every_scale_has_its_unit_in_row_two(mu: str, unit: str) -> None:
+    assert per_mm(mu) == unit and all(map(per_mm, scales()))
+
+
 def test_a_cell_takes_a_sense_from_a_list_and_a_length_that_fits_the_page(done: tuple[Path, Register]) -> None:
     page = openpyxl.load_workbook(BytesIO(answers_bytes(done[1]))).worksheets[0]
     rules = {str(rule.sqref).split(":")[0].rstrip("0123456789"): rule for rule in page.data_validations.dataValidation}
@@ -86,6 +97,23 @@ def test_a_cell_takes_a_sense_from_a_list_and_a_length_that_fits_the_page(done: 
         rules[letters["block:omega_3 sense"]].type == "list" and "↺" in rules[letters["block:omega_3 sense"]].formula1
     )
     assert float(rules[letters["block:v_E mm"]].formula2) == 400
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "unit", "choice"), [("2-9", "determined", "✓ ×", "是,否"), ("2-9", "class_1", "Ⅱ Ⅲ Ⅳ", "Ⅱ,Ⅲ,Ⅳ")]
+)
+def test_what_is_told_in_words_is_chosen_from_them(name: str, key: str, unit: str, choice: str) -> None:
+    """A spreadsheet warned whoever typed 是 that a number was expected."""
+    part = Part(problem=name, attempt=0, values={}, scales={}, key=key_of(name))
+    sheet = Sheet(sheet="S", student=CLASS[0], parts=(part,))
+    few = replace(register(), sheets=(sheet,), exercises=(Exercise(id=name, data={}, fingerprint=""),))
+    page = openpyxl.load_workbook(BytesIO(answers_bytes(few))).worksheets[0]
+    (cell,) = (cell for cell in page[1] if cell.value == f"{name}:{key}")
+    assert page.cell(2, cell.column).value == unit
+    (rule,) = (one for one in page.data_validations.dataValidation if f"{cell.column_letter}3" in str(one.sqref))
+    assert rule.type == "list" and rule.formula1 == f'"{choice}"'
+    sheet_read = sheet_of(key_of(name), {key: choice.partition(",")[0]})
+    assert sheet_read.answers[key].state is State.READ
 
 
 def test_a_place_is_asked_by_both_coordinates_from_a_point_that_is_named() -> None:

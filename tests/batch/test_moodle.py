@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from tests.drawn_library import DRAFTED
 from tests.each import each
-from tests.grading.cases import key_of
+from tests.grading.cases import key_of, problem_of
 from tests.laws import few
 from tests.marked.classes import register
-from vecpoly.batch.moodle.answers import asked_of, bands
+from vecpoly.batch.moodle.answers import asked_of, bands, worths
 from vecpoly.batch.moodle.cloze import UNITS, choice, plain_number, row, unit_of
 from vecpoly.batch.moodle.quiz import Quizzes, label, right_told
 from vecpoly.errors import VecpolyError
@@ -144,3 +144,15 @@ def test_a_yes_or_no_by_itself_is_a_question_of_two_choices() -> None:
     (question,) = [one for one in root if one.get("type") == "multichoice"]
     answers = [(one.get("fraction"), one.findtext("text")) for one in question.findall("answer")]
     assert [fraction for fraction, _ in answers] == ["100", "0"] and {text for _, text in answers} == {"是", "否"}
+
+
+@pytest.mark.parametrize("name", ["K-crank-rocker-gamma", "8-4"])
+def test_of_several_solutions_each_is_right_in_the_blank_of_any(name: str) -> None:
+    """AB and AB_2, or AB_1 and AB_2: Moodle cannot exchange them, and which is which nobody is told."""
+    key = key_of(name)
+    found = worths(problem_of(name), key)
+    first = "AB" if "AB" in found else "AB_1"
+    for mine, other in ((first, "AB_2"), ("AB_2", first)):
+        right = [one.value for one in found[mine] if one.percent == 100]
+        assert right == pytest.approx([key[mine].exact, key[other].exact], rel=1e-5)
+    assert len([one for one in found["theta"] if one.percent == 100]) == 1

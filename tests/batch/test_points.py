@@ -14,6 +14,7 @@ from vecpoly.batch.forms.workbooks import key_bytes
 from vecpoly.batch.register import read_register
 from vecpoly.errors import ProblemFileError
 from vecpoly.grading.key import Points
+from vecpoly.grading.rules import Lines, Rules
 from vecpoly.grading.told.scheme import rules_told
 from vecpoly.marked.scheme import read_scheme
 
@@ -94,3 +95,12 @@ def test_a_wrong_name_is_refused_with_its_line_before_anything_is_drawn(tmp_path
         made(tmp_path / "hw", people([1]), TEXT + said + "\n")
     assert re.search(why, str(refused.value)) and refused.value.words.zh != refused.value.words.en
     assert not list((tmp_path / "hw").rglob("*"))
+
+
+@pytest.mark.parametrize(
+    ("drawing", "zh", "en"), [("required", "必须交图", "a drawing is required"), ("told", "不由图给分", "none")]
+)
+def test_what_a_drawing_is_worth_is_told_in_words(drawing: Lines, zh: str, en: str) -> None:
+    """In Chinese it read “图线的分数：required”."""
+    (said,) = rules_told(Rules(drawing=drawing))
+    assert said.zh == f"图线的分数：{zh}" and said.en.endswith(en)

@@ -47,6 +47,11 @@ def test_a_workbook_is_read_with_numbers_as_numbers_and_lines_above_its_header(t
     assert read_roster(tmp_path / "a.xlsx").students == TWO
 
 
+def test_headers_may_be_spaced_out(tmp_path: Path) -> None:
+    """学 号, 姓　名, as many schools print them to fill a column."""
+    assert read_roster(roster(tmp_path, ROWS.replace("学号,姓名", "学 号,姓　名").encode())).students == TWO
+
+
 def test_full_width_digits_are_digits(tmp_path: Path) -> None:
     assert read_roster(roster(tmp_path, ROWS.replace("20230002", "２０２３０００２").encode())).students == TWO
 

@@ -86,9 +86,14 @@ def test_what_a_mistake_would_spread_widely_is_an_error_by_itself_beside_what_is
 
 
 def test_the_same_mistake_is_named_where_all_that_rests_on_it_follows() -> None:
+    """On the other side lies the second solution: who gives it twice has drawn the first wrong, and who gives no other
+    has called it the first."""
     (one,) = (each for each in mutants_of("8-15") if str(each.slip) == "C1P other side")
     cells = {name: f"{one.values[name].value:.1f}" for name in ("AD", "gamma_min")}
-    assert set(marked("8-15", cells | {"theta": "20"}).slips.values()) == {one.slip}
+    both = {each.key: f"{each.exact:.5g}" for each in key_of("8-15").quantities if each.asked}
+    assert set(marked("8-15", both | cells).slips.values()) == {one.slip}
+    alone = marked("8-15", cells | {"theta": "20"})
+    assert not alone.slips and not alone.roots and [said.id for said in alone.messages] == [Told.RENUMBERED]
 
 
 @pytest.mark.parametrize(("problem", "answer"), [("3-9", "v_E=0.18"), ("golden", "omega_2=2.7 cw")])

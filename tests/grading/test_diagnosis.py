@@ -270,3 +270,14 @@ def test_a_small_error_is_told_no_finer_than_two_digits_of_what_is_allowed(name:
             if said.id in (Told.OK, Told.OK_RECKONED) and "×" not in str(said.numbers["t"]):
                 e, t = (str(said.numbers[key]).partition(" ")[0].partition(".") for key in ("e", "t"))
                 assert len(e[2]) <= max(len(t[2]), 1), (one.key, said.numbers)
+
+
+def test_a_size_that_is_right_by_an_own_length_alone_is_not_told_as_right_without_that() -> None:
+    """Whoever wrote the length of another vector, its value and its direction, was told the magnitude to be right."""
+    key = key_of("3-9")
+    other, mu = key["v_C2C3"], key.scales["mu_v"]
+    cells = {key["v_C2B"].line: f"{other.exact / mu:.1f} mm", "v_C2B": f"{other.exact:.3f} ∠ {other.degrees:.1f}°"}
+    found = marked("3-9", cells)["v_C2B"]
+    assert found.outcome is Outcome.DIRECTION
+    (said,) = (one for one in found.messages if one.id is Told.SIZE_OWN)
+    assert f"{other.exact / mu:.1f} mm" in said.words.en

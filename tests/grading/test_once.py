@@ -84,6 +84,22 @@ def test_the_solutions_of_a_synthesis_may_be_numbered_otherwise() -> None:
     assert not mixed["AB_1"].is_right and mixed["AB_2"].is_right and mixed["BC_1"].is_right
 
 
+@pytest.mark.parametrize("name", ["K-crank-rocker-gamma", "K-crank-rocker-AD", "8-15"])
+def test_the_solution_without_a_number_may_be_exchanged_with_the_numbered_one(name: str) -> None:
+    """AB and AB_2: which is which nobody is told, and whoever has them the other way round is right throughout."""
+    key = key_of(name)
+    right = {one.key: f"{one.exact:.5g}" for one in key.quantities if one.asked}
+    pairs = [one for one in right if f"{one}_2" in right]
+    other = right | {one: right[f"{one}_2"] for one in pairs} | {f"{one}_2": right[one] for one in pairs}
+    assert key.solutions == (1, 2) and len(pairs) > 1 and other != right
+    for cells, said in ((right, 0), (other, 1)):
+        sheet = marked(name, cells)
+        assert all(one.is_right for one in sheet.findings if one.written.raw)
+        assert len(sheet.messages) == said
+    second = check_answers(problem_of(name), {one: right[f"{one}_2"] for one in pairs})
+    assert second.right and "1 → 2" in str(second)
+
+
 def test_a_scale_is_missed_only_where_something_of_its_figure_was_answered() -> None:
     """Whoever left a problem blank was told of each of its scales."""
     key = key_of("3-12")

@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tests.grading.cases import key_of, problem_of
+from vecpoly import loads, solve
 from vecpoly.grading.compare.outcome import Finding, Outcome
+from vecpoly.grading.derive.keyed import answer_key
+from vecpoly.grading.key import Kind
 from vecpoly.grading.reading.written import State, written
 from vecpoly.grading.student import check_answers
 
@@ -69,3 +72,26 @@ def test_a_velocity_found_from_an_own_angular_velocity_follows_it() -> None:
     checked = check_answers(problem_of("D-1"), ["omega_2=3.1 cw", "v_C=0.2022"])
     assert [one.outcome for one in checked.answers] == [Outcome.WRONG, Outcome.RIGHT]
     assert "omega_2" in key_of("D-1")["v_C"].needs
+
+
+FAR = """
+extends: 3-2
+id: far-centres
+links: {1: {AB: 56 mm}}
+input: {phi: 145 deg}
+"""
+
+
+def test_a_place_on_a_second_diagram_is_read_no_finer_than_its_scale() -> None:
+    """Centres that do not fit at μ_l are drawn once more at μ_l′: T of P_14, which is a pivot, was 0 there, and half a
+    millimetre of the paper wrong."""
+    problem = loads(FAR)
+    key = answer_key(problem)
+    figures = solve(problem, by="exact", repeats=0, precise=False).construction.figures
+    (second,) = {one.scale.value for one in figures if one.scale.symbol == "μ_l′"}
+    places = [one for one in key.quantities if one.kind is Kind.PLACE]
+    assert second > key.scales["mu_l"] and len(places) == 7
+    assert all(one.allowed >= key.allowance.floor * second for one in places)
+    assert key["P_14"].allowed == key.allowance.floor * second
+    checked = check_answers(problem, ["P_14=(0.5, 0.3)", "P_34=(121, 0)"])
+    assert checked.right and "allowed ±0 " not in str(checked)

@@ -242,7 +242,9 @@ def test_minutes_beyond_sixty_are_no_angle() -> None:
         ("=40+6.42", "it is a formula"),
         ("=B3/2", "it is a formula"),
         ("=SUM(B3:B5)", "it is a formula"),
-        ("2026-03-02 00:00:00", "made a date of it"),
+        ("2026-03-02 00:00:00", "made a date or a time of it"),
+        ("2026-03-10 00:00:00 ∠ 172.1°", "made a date or a time of it"),
+        ("01:30:00", "made a date or a time of it"),
     ],
 )
 def test_what_a_spreadsheet_spoilt_is_told_as_that(text: str, told: str) -> None:

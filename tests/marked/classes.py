@@ -59,7 +59,23 @@ def everybody() -> dict[str, dict[str, str]]:
 
 
 # N was once read as "no", and the row that the form itself writes told as one without a number
-UNITS = ("N", "mm", "°", "↻ ↺", "N·m", "m/s", "(m/s²)/mm", "v_C = v_B + v_CB: ✓ ?", "kg·m²", "r/min", "s", "", "g·mm")
+UNITS = (
+    "N",
+    "mm",
+    "°",
+    "↻ ↺",
+    "N·m",
+    "m/s",
+    "(m/s²)/mm",
+    "v_C = v_B + v_CB: ✓ ?",
+    "kg·m²",
+    "r/min",
+    "s",
+    "",
+    "g·mm",
+    "✓ ×",
+    "Ⅱ Ⅲ Ⅳ",
+)
 
 
 def wide(path: Path, rows: Mapping[str, Mapping[str, str]], *, encoding: str = "utf-8", mark: str = ",") -> Path:

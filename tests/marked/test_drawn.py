@@ -234,3 +234,34 @@ def test_a_second_drawing_of_one_problem_is_refused_with_the_name_of_the_first(f
         (again / f"{NUMBERS[0]}_{name}_3-9.dxf").write_bytes(data)
     drawn = grade_drawings(register(), Returned(), again, tmp_path, "en", silent)
     assert [one.code for one in drawn.faults] == ["twice"] and f"{NUMBERS[0]}_a_3-9.dxf" in drawn.faults[0].words.en
+
+
+def test_a_file_that_no_reader_knows_is_told_with_whose_it_is_and_pays_by_numbers(
+    folder: Path, file: Path, tmp_path: Path
+) -> None:
+    """A DWG or a photograph was passed over without a word; beside a drawing that is read it is no matter."""
+    there = tmp_path / "drawn"
+    there.mkdir()
+    (there / f"{NUMBERS[0]}_3-9.dxf").write_bytes(next(folder.glob(f"{NUMBERS[0]}*.dxf")).read_bytes())
+    for name in (f"{NUMBERS[0]}_3-9.dwg", f"{NUMBERS[1]}_3-9.dwg", "Thumbs.db"):
+        (there / name).write_bytes(b"AC1027")
+    (there / f"{NUMBERS[2]}_3-9.dxf").write_text("no drawing", encoding="utf-8")
+    done = graded(tmp_path / "out", file, drawings=there)
+    assert [one.numbers["student"] for one in done.faults] == [NUMBERS[2], NUMBERS[1]]
+    assert f"{NUMBERS[1]}_3-9.dwg" in done.faults[1].words.en and "save a DWG as DXF" in done.faults[1].words.en
+    assert [one.aside for one in done.results] == [False, True, True]
+    assert all(one.total == 20.0 for one in done.results)
+    assert f"{NUMBERS[1]}," in (tmp_path / "out" / "queue.csv").read_text("utf-8-sig")
+
+
+def test_a_drawing_on_which_nothing_is_of_the_problem_is_left_for_a_person(
+    folder: Path, file: Path, tmp_path: Path
+) -> None:
+    """Another student's: what follows from the own lines is right by these alone."""
+    there = tmp_path / "drawn"
+    there.mkdir()
+    (there / f"{NUMBERS[2]}_3-9.dxf").write_bytes(next(folder.glob(f"{NUMBERS[0]}*.dxf")).read_bytes())
+    theirs = lines(graded(tmp_path / "out", file, drawings=there), NUMBERS[2]).values()
+    assert theirs and all(one.doubt is not None and "another student's" in one.doubt.en for one in theirs)
+    own = lines(graded(tmp_path / "own", file, drawings=folder), NUMBERS[0]).values()
+    assert own and not [one for one in own if one.doubt is not None]

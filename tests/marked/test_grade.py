@@ -238,3 +238,16 @@ def test_a_number_of_full_width_digits_is_the_students_own(tmp_path: Path) -> No
     (tmp_path / "one.json").write_text(page, encoding="utf-8")
     done = graded(tmp_path / "again", tmp_path / "one.json")
     assert not done.faults and done.results[0].total == 20
+
+
+def test_the_columns_of_a_problem_come_to_its_total_and_the_page_of_points_to_what_can_be_had(tmp_path: Path) -> None:
+    key = register().sheets[0].parts[0].key
+    ticks = {row.key: "".join("✓" if known else "?" for known in row.known) for row in key.equations}
+    rows = {number: answers(number) | ticks for number in NUMBERS}
+    graded(tmp_path / "out", wide(tmp_path / "a.csv", rows))
+    for row in csv.DictReader((tmp_path / "out" / "grades.csv").read_text("utf-8-sig").splitlines()):
+        parts = [float(text) for head, text in row.items() if head.startswith("3-9:")]
+        assert sum(parts) == pytest.approx(float(row["3-9"]), abs=0.02)
+    page = load_workbook(tmp_path / "out" / "grades.xlsx")["分值"]
+    (whole,) = (row[6] for row in page.iter_rows(values_only=True) if row[2] == "满分")
+    assert whole == pytest.approx(key.worth) == 20

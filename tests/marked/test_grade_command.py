@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 from tests.marked.classes import NUMBERS, answers, register, wide
 from vecpoly.batch.register import NAME
 from vecpoly.cli.app import app
+from vecpoly.foundation.slotted import replace
 from vecpoly.words import many
 
 
@@ -90,3 +91,22 @@ def test_one_answer_that_is_marked_otherwise_is_one(tmp_path: Path) -> None:
 )
 def test_one_is_told_in_the_singular(count: int, what: str, said: str) -> None:
     assert many(count, what) == said
+
+
+@pytest.mark.parametrize(
+    ("lang", "extra", "head"),
+    [("en", (), "number,name"), ("zh", (), "学号,姓名"), ("en", ("--lang", "zh"), "学号,姓名")],
+)
+def test_marks_are_told_in_the_language_of_the_class_where_nothing_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, lang: str, extra: tuple[str, ...], head: str
+) -> None:
+    """An English class had Chinese feedback."""
+    monkeypatch.delenv("VECPOLY_LANG", raising=False)
+    run(tmp_path)
+    (tmp_path / "hw" / NAME).write_bytes(replace(register(), lang=lang).as_bytes())
+    words = ["grade", str(tmp_path / "hw"), str(tmp_path / "a.csv"), "-o", str(tmp_path / "two"), "--no-feedback"]
+    for _ in range(2):
+        again = ["--diff", str(tmp_path / "two")] if (tmp_path / "two").exists() else []
+        assert CliRunner().invoke(app, [*words, *extra, *again]).exit_code == 0
+    assert (tmp_path / "two" / "grades.csv").read_text("utf-8-sig").startswith(head)
+    assert (tmp_path / "two" / "changes.csv").read_text("utf-8-sig").startswith(head.split(",")[0])

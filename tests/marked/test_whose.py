@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
 
 
@@ -44,7 +46,7 @@ def test_a_row_with_the_sheet_of_another_student_is_told_and_not_used(tmp_path: 
     assert [result.total for result in done.results] == [0.0, 20.0, 20.0]
     assert [result.aside for result in done.results] == [True, False, False]
     queue, grades = ((tmp_path / "out" / name).read_text("utf-8-sig") for name in ("queue.csv", "grades.csv"))
-    assert f"{one}," in queue and "有一行未用" in grades and "没有交" not in grades
+    assert f"{one}," in queue and "有一行或一份图未用" in grades and "没有交" not in grades
 
 
 def test_a_row_with_the_name_of_another_student_is_told_and_not_used_and_a_nickname_is_no_matter(
@@ -66,3 +68,19 @@ def test_the_first_row_without_a_number_is_told_where_it_holds_answers(tmp_path:
     form.write_text("\n".join((head, *rows)), "utf-8")
     done = graded(tmp_path / "out", form)
     assert [(fault.code, fault.place.line) for fault in done.faults if fault.place] == [("no-number", 2)] and units
+
+
+def test_of_copied_answers_equations_and_own_scales_are_paid_as_anybodys(tmp_path: Path) -> None:
+    """Their rows were lost, with their points among those that could be had."""
+    sheet = register().sheet(NUMBERS[0])
+    assert sheet is not None
+    key = sheet.parts[0].key
+    ticks = {row.key: "".join("✓" if known else "?" for known in row.known) for row in key.equations}
+    assert sum(row.points for row in key.equations) > 0
+    rows = everybody() | {NUMBERS[0]: answers(NUMBERS[1])}
+    rows = {number: cells | ticks for number, cells in rows.items()}
+    (mine, *others) = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows)).results
+    assert NUMBERS[1] in mine.faults[0].en
+    assert mine.worth == 20.0 and [one.total for one in others] == [20.0, 20.0]
+    earned = sum(one.earned for one in mine.marks["3-9"].equations)
+    assert earned == pytest.approx(sum(row.points for row in key.equations))

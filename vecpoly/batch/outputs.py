@@ -13,7 +13,7 @@ from .forms.workbooks import answers_bytes, key_bytes
 from .moodle.quiz import Quizzes
 from .register import NAME, Register
 from .run.store import Store, bytes_digest, file_digest
-from .run.tasks import question_file
+from .run.tasks import question_file, solution_file
 
 Told = Callable[[Words, int, int], None]
 FORM, BESIDE = "answers.xlsx", "answers.new.xlsx"
@@ -49,3 +49,12 @@ def _form(blank: bytes, out: Path) -> Path:
     typed = form.exists() and file_digest(form) not in known
     store.put(_FORMS, list(known), {})
     return write_whole(out / BESIDE if typed else form, blank)
+
+
+def left_over(register: Register, out: Path) -> tuple[Path, ...]:
+    """Sheets in the folder that are nobody's on the register: of who left, or under a name that was corrected."""
+    theirs = {
+        out / file for sheet in register.sheets for file in (question_file(sheet.student), solution_file(sheet.student))
+    }
+    there = (path for folder in ("questions", "solutions") for path in sorted((out / folder).glob("*.pdf")))
+    return tuple(path for path in there if path not in theirs)

@@ -97,9 +97,9 @@ def _columns(cells: Sequence[str]) -> dict[str, int]:
     """Which column holds what."""
     found: dict[str, int] = {}
     for i, cell in enumerate(cells):
-        bare = cell.lower().replace("_", " ").strip(" .:*")
+        bare = cell.lower().replace("_", "").replace(" ", "").strip(".:*")  # also 学 号, as schools space it
         for what, heads in _HEADS.items():
-            if bare in heads:
+            if bare in {head.replace(" ", "") for head in heads}:
                 found.setdefault(what, i)
     return found
 

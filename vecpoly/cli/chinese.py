@@ -101,6 +101,7 @@ HELP = {
     "The file to write; .yaml is added where it has no ending.": "要写的文件；没有扩展名时加 .yaml。",
     # options
     "Chinese or English.": "中文或英文。",
+    "Chinese or English; that of the class where nothing is said.": "中文或英文；不写时与作业相同。",
     "How what is refused is told: as text, or as JSON, a line each, for programs.": (
         "错误信息的形式：文本，或供程序读取的 JSON（每行一条）。"
     ),

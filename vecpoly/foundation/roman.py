@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+CLASS = "class_"  # what the keys of classes of mechanisms begin with: class_1, class_1+3
 NUMERALS = {"I": "Ⅰ", "II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}  # English → Chinese, from one on
 
 

@@ -9,10 +9,14 @@ from ..board.construction import Scale
 from ..board.place import views
 from ..errors import FaultError
 from ..figures import scales as kinds
+from ..foundation.roman import CLASS
 from ..units.names import plain, unit_of
 from ..units.reading import PerMm, read
 from ..words import Words
 from .key import AnswerKey
+from .reading.characters import plain as typed
+from .reading.number import NUMBER, Number, number
+from .reading.rank import rank
 from .reading.symbol import keyed
 from .reading.written import State, Written, written
 
@@ -53,7 +57,7 @@ def sheet_of(key: AnswerKey, cells: Mapping[str, str | float | None], *, printed
             if meant in rows:
                 marks[meant] = "" if cell is None else str(cell)
             else:
-                answers[meant] = written(cell)
+                answers[meant] = rank(cell) if meant.startswith(CLASS) else written(cell)
         elif (value := _scale(mu, cell, faults)) is not None:
             own[mu] = value
     _asked_by_symbol(key, answers)
@@ -82,11 +86,20 @@ def _scale(mu: str, cell: str | float | None, faults: list[Words]) -> float | No
         return None
     kind = kinds()[mu]
     unit = f"({kind.unit})/mm" if "/" in kind.unit else f"{kind.unit}/mm"
+    digits, behind = _numbered(text)
     try:
-        bare = text.replace(".", "").isdigit()
-        value = read(f"{text} {unit}" if bare else text, PerMm(kind.called, kind.unit, kind.example)).si
+        value = read(f"{digits} {behind or unit}".strip(), PerMm(kind.called, kind.unit, kind.example)).si
         value /= unit_of(plain(kind.unit))[0]
     except FaultError as fault:
-        faults.append(fault.words)
+        faults.append(Words.same(f"{mu.replace('mu', 'μ')} = {text}: ") + fault.words)
         return None
     return value if value > 0 else None
+
+
+def _numbered(text: str) -> tuple[str, str]:
+    """A scale as its number, with a decimal point, and what stands behind: all of it where it begins otherwise."""
+    found = NUMBER.match(text := typed(text))
+    value = number(found) if found is not None else None
+    if found is None or not isinstance(value, Number):
+        return "", text
+    return f"{value.value:.12g}", text[found.end() :].strip()

@@ -15,6 +15,7 @@ from ..drawing.backends.pdf import to_pdf
 from ..drawing.scene import Scene
 from ..errors import Fault, ProblemFileError, VecpolyError
 from ..foundation.files import write_whole
+from ..foundation.slotted import replace
 from ..grading.drawings.grade import grade_drawing
 from ..grading.drawings.judging.mark import DrawingMark
 from ..grading.drawings.model import drawing_key
@@ -67,27 +68,55 @@ def grade_drawings(register: Register, returned: Returned, folder: Path, out: Pa
 
     Writes drawings.csv, a row for each vector, and for each file its polygons over the exact ones.
     """
-    found = sorted(path for path in folder.rglob("*") if path.suffix.lower() in READERS)
+    there = sorted(path for path in folder.rglob("*") if path.is_file())
+    found = [path for path in there if path.suffix.lower() in READERS]
     works: dict[tuple[str, str], Work] = {}
     files: list[Path] = []
     faults: list[Fault] = []
     for done, path in enumerate(found, 1):
         told(Words("看图", "reading drawings"), done, len(found))
+        number = ""
         try:
             sheet, part = _owner(register, path)
-            whose = sheet.student.number, part.problem
+            number, whose = sheet.student.number, (sheet.student.number, part.problem)
             _refuse_second(works.get(whose))
             works[whose] = one = _work(register, returned, sheet, part, path, lang)
             if one.scenes:
                 name = f"{sheet.student.number}_{part.problem}.pdf"
                 files.append(write_whole(out / "drawings" / name, to_pdf(*one.scenes, title=name, lang=lang)))
-        except ProblemFileError as error:
-            faults += error.faults
         except VecpolyError as error:
-            said = Words(f"{path.name}：", f"{path.name}: ") + error.words
-            faults.append(Fault(said=said, code=error.code))
+            faults += _faults(path, error, number)
+    faults += _of_other_programs(register, set(there) - set(found), works)
     table = write_whole(out / "drawings.csv", csv_bytes(list(_rows(works.values(), lang))))
     return Drawn(works=works, files=(table, *files), faults=tuple(faults))
+
+
+def _faults(path: Path, error: VecpolyError, number: str) -> list[Fault]:
+    """What is wrong with a file, and whose it is where its name tells."""
+    whose = {"student": number} if number else {}
+    if isinstance(error, ProblemFileError):
+        return [replace(one, numbers={**one.numbers, **whose}) for one in error.faults]
+    said = Words(f"{path.name}：", f"{path.name}: ") + error.words
+    return [Fault(said=said, code=error.code, numbers=whose)]
+
+
+def _of_other_programs(
+    register: Register, paths: Iterable[Path], works: Mapping[tuple[str, str], Work]
+) -> Iterator[Fault]:
+    """Drawings that nobody can read here, DWG and photographs, of whoever handed in none that can be read."""
+    for path in sorted(paths):
+        try:
+            sheet, part = _owner(register, path)
+        except VecpolyError:
+            continue  # a list of names, a picture of the system's
+        if (sheet.student.number, part.problem) not in works:
+            kinds = "、".join(READERS)
+            said = Words(
+                f"{path.name}：不是 {kinds} 文件，未能评图；DWG 请另存为 DXF，照片请人工批改",
+                f"{path.name}: is none of {kinds.replace('、', ', ')} and was not marked; save a DWG as DXF, mark a "
+                "photograph by hand",
+            )
+            yield Fault(said=said, code="format", numbers={"student": sheet.student.number})
 
 
 def _work(register: Register, returned: Returned, sheet: Sheet, part: Part, path: Path, lang: Lang) -> Work:

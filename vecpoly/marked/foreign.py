@@ -12,21 +12,22 @@ from ..grading.compare.outcome import Finding
 from ..grading.key import AnswerKey, Kind
 from ..grading.marking.marked import Marked
 from ..grading.marking.marker import mark
-from ..grading.rules import Rules
 from ..grading.scheme import Scheme
-from ..grading.sheet import Sheet
+from ..grading.sheet import sheet_of
 from ..words import Words
+from .intake.returned import Answers, Returned
 from .work import Result
 
 FEWEST = 2  # answers that one's own key does not bear out
 
 
-def own_work(register: Register, result: Result, scheme: Scheme) -> Result:
+def own_work(register: Register, result: Result, scheme: Scheme, returned: Returned) -> Result:
     """The result; where the answers are another's, marked by one's own exact values alone, and left for a person."""
     for problem, marked in result.marks.items():
         whose = _whose(register, result.student.number, problem, marked)
-        if whose is not None:
-            result = _alone(register, result, problem, marked, scheme.rules, whose)
+        answers = returned.answers.get((result.student.number, problem))
+        if whose is not None and answers is not None:
+            result = _alone(register, result, answers, scheme, whose)
     return result
 
 
@@ -65,16 +66,15 @@ def _agree(given: Mapping[str, Measured | None], key: AnswerKey) -> bool:
     return True
 
 
-def _alone(register: Register, result: Result, problem: str, marked: Marked, rules: Rules, whose: str) -> Result:
-    sheet = register.sheet(result.student.number)
-    part = next(part for part in sheet.parts if part.problem == problem) if sheet else None
+def _alone(register: Register, result: Result, answers: Answers, scheme: Scheme, whose: str) -> Result:
+    """All that was handed in, marked afresh: its equations and scales are one's own work."""
+    sheet, problem = register.sheet(result.student.number), answers.problem
+    part = next((part for part in sheet.parts if part.problem == problem), None) if sheet else None
     if part is None:
         return result
-    answers = {one.key: one.written for one in marked.findings if one.written.raw}
-    written = Sheet(answers=answers, stated=frozenset(marked.stated))
-    work = result.drawings.get(problem)
-    drawing = None if work is None else work.mark
-    again = mark(register.variant(part), marked.key, tuple, written, replace(rules, following=False), drawing)
+    key, work = scheme.key(part.key), result.drawings.get(problem)
+    rules, drawing = replace(scheme.rules, following=False), None if work is None else work.mark
+    again = mark(register.variant(part), key, tuple, sheet_of(key, answers.cells), rules, drawing)
     said = Words(
         f"题 {problem} 的答案与学号 {whose} 的数据一致，而与本人的不符；未作连带评分，请人工核对",
         f"the answers to {problem} agree with the numbers of student {whose}, and not with one's own; nothing was "

@@ -25,6 +25,17 @@ from .out.record import NAME, differences, read_record, record, record_bytes
 from .out.tables import grade_rows, xlsx_bytes
 from .work import Result, mark_class
 
+CHANGES = (
+    Words("学号", "number"),
+    Words("题号", "problem"),
+    Words("量", "quantity"),
+    Words("原得分", "points before"),
+    Words("原结论", "outcome before"),
+    Words("原所写", "written before"),
+    Words("得分", "points"),
+    Words("结论", "outcome"),
+    Words("所写", "written"),
+)
 Told = Callable[[Words, int, int], None]
 
 
@@ -65,9 +76,12 @@ def grade(order: Order, told: Told) -> Graded:
     if order.drawings is not None:
         drawn = grade_drawings(register, returned, order.drawings, order.out, order.lang, told)
     marked = mark_class(register, returned, order.scheme, order.jobs, drawn)
-    results = tuple(own_work(register, one, order.scheme) for one in _counted(marked, len(register.sheets), told))
-    results = tuple(replace(one, aside=one.student.number in returned.aside) for one in results)
+    results = tuple(
+        own_work(register, one, order.scheme, returned) for one in _counted(marked, len(register.sheets), told)
+    )
     faults = (*returned.faults, *drawn.faults)
+    aside = {str(one.numbers["student"]) for one in faults if "student" in one.numbers}
+    results = tuple(replace(one, aside=one.student.number in aside) for one in results)
     changed = None if before is None else differences(before, record(results, register.assignment))
     files = list(_tables(order, results, faults, changed))
     if order.feedback:
@@ -104,9 +118,11 @@ def _tables(
 ) -> Iterator[Path]:
     out, lang = order.out, order.lang
     yield write_whole(out / "grades.csv", csv_bytes(grade_rows(results, lang)))
-    yield write_whole(out / "grades.xlsx", xlsx_bytes(results, items(results), lang, order.scheme.rules))
+    first = next(iter(order.register.sheets), None)
+    keys = [order.scheme.key(part.key) for part in first.parts] if first else []
+    yield write_whole(out / "grades.xlsx", xlsx_bytes(results, items(results), lang, keys, order.scheme.rules))
     yield write_whole(out / "queue.csv", csv_bytes(queue_rows(results, lang, faults)))
     yield write_whole(out / NAME, record_bytes(results, order.register.assignment))
     if changed is not None:
-        head: list[Any] = ["number", "problem", "quantity", "points before", "outcome before", "written before"]
-        yield write_whole(out / "changes.csv", csv_bytes([[*head, "points", "outcome", "written"], *changed]))
+        head: list[Any] = [word.of(lang) for word in CHANGES]
+        yield write_whole(out / "changes.csv", csv_bytes([head, *changed]))

@@ -123,7 +123,7 @@ def _one(
     key, variant = scheme.key(part.key), register.variant(part)
     something = mine is not None or drawing is not None
     written = sheet_of(key, mine.cells if mine is not None else {}, printed_scales=something)
-    faults += written.faults
+    faults += [Words(f"题 {part.problem}：", f"problem {part.problem}: ") + fault for fault in written.faults]
     try:
         return mark(
             variant, key, lambda: mutants(variant, key, catalogue(part.problem)), written, scheme.rules, drawing

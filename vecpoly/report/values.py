@@ -6,7 +6,7 @@ import re
 from math import isnan
 
 from ..algebra.quantity import number
-from ..foundation.roman import chinese, latin
+from ..foundation.roman import CLASS, chinese, latin
 from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force
 from ..names import Key, Named
@@ -19,7 +19,7 @@ from ..words import Lang, Words
 _UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
 _MET, _CONDITIONS = (Words("满足", "satisfied"), Words("不满足", "not satisfied")), frozenset({"v_allowed"})
-_GROUPS, _CLASS = "groups_", "class_"
+_GROUPS = "groups_"
 _BALANCED = {"static": Words("静平衡", "statically balanced"), "dynamic": Words("动平衡", "dynamically balanced")}
 _STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
 _CURVED = {
@@ -73,7 +73,7 @@ def is_efficiency(key: str, unit: str) -> bool:
 
 def is_class(key: str) -> bool:
     """Whether the quantity is the class of a mechanism, which is told by a Roman numeral: class_1, class_1+3."""
-    return key.startswith(_CLASS)
+    return key.startswith(CLASS)
 
 
 def is_worded(key: str, unit: str) -> bool:
@@ -102,7 +102,7 @@ def called(symbol: str, key: str, lang: Lang) -> str:
     if key in _BALANCED:
         return f"{_BALANCED[key].of(lang)}（${symbol}$）" if lang == "zh" else f"{_BALANCED[key].en} (${symbol}$)"
     if is_class(key):
-        drivers = key.removeprefix(_CLASS).split("+")
+        drivers = key.removeprefix(CLASS).split("+")
         plural = "s" * (len(drivers) > 1)
         return Words(
             f"机构级别（原动件 {'、'.join(drivers)}）", f"class with link{plural} {' and '.join(drivers)} driving"

@@ -38,9 +38,7 @@ def said_already(problem: Problem) -> Iterator[Words]:
     known = parameters(problem)
     for one in problem.ranges:
         written = known.get(one.name, "")
-        if len(written) > 1 and any(
-            written.replace(" ", "") in text.replace(" ", "") for text in (problem.statement.zh, problem.statement.en)
-        ):
+        if len(written) > 1 and any(_tells(text, written) for text in (problem.statement.zh, problem.statement.en)):
             yield Words(
                 f"{problem.id}：题目正文中写有 {one.name} = {written}，而它现在因人而异；请从 statement 中删去",
                 f"{problem.id}: the statement says {one.name} = {written}, which now differs from student to "
@@ -48,13 +46,25 @@ def said_already(problem: Problem) -> Iterator[Words]:
             )
 
 
+def _tells(text: str, written: str) -> bool:
+    """Whether a text tells a value, however its unit is spelt there: 165 deg, 165°."""
+    return _squeezed(written) in _squeezed(text)
+
+
+def _squeezed(text: str) -> str:
+    for spelt, sign in (("deg", "°"), ("度", "°"), ("*", "·"), ("^2", "²"), ("^3", "³")):
+        text = text.replace(spelt, sign)
+    return "".join(text.split())
+
+
 def asks_otherwise(problem: Problem) -> Iterator[Words]:
     """Where what is asked stands in another file than the text of the problem, which asks what it always did."""
     places = {} if problem.written is None else problem.written.places
-    find, text = places.get(("find",)), places.get(("statement",))
-    if find is not None and text is not None and find.file != text.file:
+    find = places.get(("find",))
+    texts = [places[at].file for at in (("statement",), ("statement", "zh"), ("statement", "en")) if at in places]
+    if find is not None and texts and find.file not in texts:
         asked = ", ".join(ask.rel.key for ask in problem.asks if isinstance(ask, AskRel | AskNamed))
-        file = Path(text.file).name
+        file = Path(texts[0]).name
         yield Words(
             f"{problem.id}：题目正文取自 {file}，而这里所求为 {asked}；请在 find 旁另写 statement，使正文与所求一致",
             f"{problem.id}: the statement is that of {file}, but here {asked} are asked; write a statement beside find "

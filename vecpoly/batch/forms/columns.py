@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ...figures import scales as kinds
+from ...foundation.roman import CLASS, NUMERALS
 from ...grading.equations.row import EquationRow
 from ...grading.key import Graded, Kind
 from ...names import written_unit
@@ -21,6 +23,8 @@ class What(StrEnum):
     PLACE = "place"  # both coordinates, in one cell
     DIRECTION = "deg"
     SENSE = "sense"
+    YES_NO = "yes/no"
+    CLASS = "class"  # of a mechanism, by its Roman numeral
     TICKS = "ticks"  # of a row of an equation, a sign a term
 
 
@@ -39,18 +43,18 @@ class Column:
     def head(self) -> str:
         """``3-9:v_E``, ``3-9:v_E mm``, ``3-9:omega_3 sense``, ``3-9:mu_v``."""
         whole = f"{self.problem}:{self.key}"
-        return whole if self.what in (What.VALUE, What.PLACE, What.SCALE, What.TICKS) else f"{whole} {self.what}"
+        return f"{whole} {self.what}" if self.what in (What.LENGTH, What.DIRECTION, What.SENSE) else whole
 
 
+CLASSES = tuple(NUMERALS.values())[1:4]  # Ⅱ Ⅲ Ⅳ: those of Assur groups
 IDENTITY = (("学号", "number"), ("姓名", "name"), ("班级", "class"), ("卷号", "sheet"))
 
 
 def per_mm(mu: str) -> str:
-    """The unit of a scale, where it is told."""
-    return _PER_MM.get(mu, "")
-
-
-_PER_MM = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm", "mu_F": "N/mm"}
+    """The unit in which a scale without one is taken."""
+    kind = kinds().get(mu)
+    unit = "" if kind is None else written_unit(kind.unit)
+    return f"({unit})/mm" if "/" in unit else f"{unit}/mm" if unit else ""
 
 
 def columns_of(register: Register) -> tuple[Column, ...]:
@@ -82,5 +86,9 @@ def _parts(one: Graded) -> list[tuple[What, str]]:
             return [*([(What.LENGTH, "mm")] if one.mm else []), value, (What.DIRECTION, "°")]
         case Kind.SIGNED:
             return [value, (What.SENSE, "↻ ↺")]
+        case Kind.YES_NO:
+            return [(What.YES_NO, "✓ ×")]
+        case _ if one.key.startswith(CLASS):
+            return [(What.CLASS, " ".join(CLASSES))]
         case _:
             return [value]

@@ -15,7 +15,7 @@ from ...grading.told.scheme import SCHEME, scheme_rows
 from ...names import written_unit
 from ...words import Lang, Words, bare
 from ..register import Part, Register, Sheet
-from .columns import IDENTITY, Column, What, columns_of, per_mm
+from .columns import CLASSES, IDENTITY, Column, What, columns_of, per_mm
 
 _CREATED = datetime(2000, 1, 1)
 _SENSES = ("顺", "逆", "↻", "↺", "cw", "ccw")
@@ -71,6 +71,10 @@ def _validated(page: Any, i: int, column: Column, count: int, lang: str) -> None
     match column.what:
         case What.SENSE:
             rule |= {"validate": "list", "source": list(_SENSES)}
+        case What.YES_NO:
+            rule |= {"validate": "list", "source": [_YES.zh, _NO.zh] if lang == "zh" else [_YES.en, _NO.en]}
+        case What.CLASS:
+            rule |= {"validate": "list", "source": list(CLASSES)}
         case What.LENGTH:
             rule |= {"validate": "decimal", "criteria": "between", "minimum": 0, "maximum": _LENGTH}
         case What.DIRECTION:

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...foundation.slotted import replace
 from ...grading.key import AnswerKey, Graded, Kind, is_count
+from ...grading.marking.order import same_of_others
 from ...grading.told.slip import told_of
 from ...problem.problem import Problem
 from ...report.values import class_told, is_class, is_worded, value
@@ -42,26 +43,33 @@ def asked_of(key: AnswerKey) -> tuple[Graded, ...]:
     return tuple(part for one in asked for part in (_coordinates(one) if one.kind is Kind.PLACE else (one,)))
 
 
-def worths(problem: Problem, asked: tuple[Graded, ...]) -> dict[str, tuple[Worth, ...]]:
+def worths(problem: Problem, key: AnswerKey) -> dict[str, tuple[Worth, ...]]:
     """For each asked quantity its bands, in the order in which Moodle tries them: the narrow before the wide, the right
-    before the wrong."""
-    slipped = _by_slips(problem)
-    return {one.key: tuple(bands(one, slipped.get(one.key, ()))) for one in asked}
+    before the wrong. Of several solutions each value is right in the blank of any: they have no order."""
+    slipped, asked = _by_slips(problem), asked_of(key)
+    return {
+        one.key: tuple(bands(one, slipped.get(one.key, ()), tuple(map(key.__getitem__, same_of_others(key, one.key)))))
+        for one in asked
+    }
 
 
-def bands(one: Graded, slipped: Slipped = ()) -> Iterator[Worth]:
-    """The bands of a quantity, the right one first; none of what is told in words."""
+def bands(one: Graded, slipped: Slipped = (), others: tuple[Graded, ...] = ()) -> Iterator[Worth]:
+    """The bands of a quantity, the right one first; none of what is told in words. others: the same of other
+    solutions."""
     if is_worded(one.key, one.unit):
         return
     right, wide = _rounded(one.exact), _rounded(one.allowed)
     taken = [right, *_again(one, right)]
     yield from (Worth(value=at, allowed=wide, percent=100, said=Words.same("")) for at in taken)
+    for other in others:
+        yield Worth(value=_rounded(other.exact), allowed=_rounded(other.allowed), percent=100, said=Words.same(""))
     counted = is_count(one)  # nothing is nearly as many, or as many below nothing
     if not counted:
         yield from (Worth(value=at, allowed=_rounded(2.0 * wide), percent=CLOSE, said=_CLOSE) for at in taken)
     if _has_sign(one) and abs(right) > 2.0 * wide and not counted:
         taken.append(-right)
         yield Worth(value=-right, allowed=wide, percent=TURNED, said=_TURNED)
+    taken += [other.exact for other in others]
     for given, said in slipped:
         if abs(given) > wide and all(abs(given - other) > 2.0 * wide for other in taken):  # for 0 nobody gets marks
             taken.append(given)

@@ -111,7 +111,7 @@ def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
     drawn = picture(problem, solution.construction.toned({}), *PICTURE)  # a question is in black
     svg = to_svg(draw_figure(drawn, lang=lang, caption=False)).encode() if drawn else b""
     right = {one.key: right_told(one, lang) for one in asked}
-    return _Asked(sheet, part, asked, statement(solution, lang), svg, worths(problem, asked), right)
+    return _Asked(sheet, part, asked, statement(solution, lang), svg, worths(problem, part.key), right)
 
 
 def right_told(one: Graded, lang: Lang) -> str:

@@ -160,7 +160,7 @@ def _shard(text: str, gather: Sequence[Path] | None) -> tuple[int, int] | None:
 
 
 def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> None:
-    from ...batch.outputs import BESIDE, FORM, outputs
+    from ...batch.outputs import BESIDE, FORM, left_over, outputs
 
     for path in outputs(made.register, output, profile, told):
         wrote(path)
@@ -173,6 +173,12 @@ def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> No
                     )
                 )
             )
+    if old := left_over(made.register, output):
+        names = [str(path.relative_to(output)) for path in old]
+        said = Words(
+            "以下文件不属于现在的名单（已退出，或改了姓名），可删去：", "of nobody on the roster now, may be deleted: "
+        )
+        say(told_in(said + Words("、".join(names), ", ".join(names))))
 
 
 def _report(made: Made, problems: Sequence[Problem]) -> None:

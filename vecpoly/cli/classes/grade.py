@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ...errors import ArgumentError, VecpolyError
-from ...words import Words, many
+from ...words import Lang, Words, many
 from ..errors import REFUSED, tell
-from ..options import JobsOption, LangOption, place
+from ..options import JobsOption, place
 from ..terminal import say, wrote
 from ..tongue import told_in
 from .classes import progress_bar
@@ -46,6 +46,13 @@ DrawingsOption = Annotated[
         show_default=False,
     ),
 ]
+ClassLang = Annotated[
+    Lang | None,
+    typer.Option(
+        "--lang", envvar="VECPOLY_LANG", help="Chinese or English; that of the class where nothing is said.",
+        show_default=False,
+    ),
+]  # fmt: skip
 FeedbackOption = Annotated[bool, typer.Option("--feedback/--no-feedback", help="Write a feedback sheet for everybody.")]
 
 
@@ -57,7 +64,7 @@ def grade(
     diff: DiffOption = None,
     drawings: DrawingsOption = None,
     feedback: FeedbackOption = True,
-    lang: LangOption = "zh",
+    lang: ClassLang = None,
     jobs: JobsOption = 0,
 ) -> None:
     """Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for a person.
@@ -77,7 +84,8 @@ def grade(
     register = read_register(folder)
     _no_key(folder, answers)
     order = Order(
-        register=register, files=tuple(answers), out=output, scheme=read_scheme(rules, register), lang=lang,
+        register=register, files=tuple(answers), out=output, scheme=read_scheme(rules, register),
+        lang=lang or ("zh" if register.lang == "zh" else "en"),
         jobs=jobs or os.cpu_count() or 1, feedback=feedback, before=diff, drawings=drawings,
     )  # fmt: skip
     with progress_bar() as told:

@@ -79,9 +79,13 @@ def _solved(problem: Problem, by: Hand) -> tuple[Solution, Drawn]:
 
 
 def _numbers(solution: Solution) -> tuple[int, ...]:
-    """The numbers of the candidates that are asked for by their numbers."""
-    numbers = (one.number for one in solution.construction.candidates)
-    return tuple(n for n in numbers if any(key.endswith(f"_{n}") for key in solution.answers))
+    """The numbers of the candidates that are asked for by their numbers, and of the one that is asked for beside them
+    without (AB, AB_2)."""
+    numbers = [one.number for one in solution.construction.candidates]
+    asked = {n: [key.removesuffix(f"_{n}") for key in solution.answers if key.endswith(f"_{n}")] for n in numbers}
+    beside = any(name in solution.answers for names in asked.values() for name in names)
+    taken = getattr(solution.problem.subject, "take", 0) if beside else 0
+    return tuple(n for n in numbers if asked[n] or n == taken)
 
 
 @dataclass(frozen=True, slots=True)

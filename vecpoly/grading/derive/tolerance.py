@@ -109,11 +109,20 @@ class Scatter:
         rule, size = self.allowance, abs(one.exact)
         if one.unit == "deg" and one.sigma:
             return DEGREE
-        if one.kind is Kind.PLACE or (one.mu in self.scales and size <= COMPUTED * largest):
-            return rule.floor * self.scales.get(one.mu, 0.0)
+        if one.kind is Kind.PLACE:
+            return rule.floor * self._paper(one)
+        if one.mu in self.scales and size <= COMPUTED * largest:
+            return rule.floor * self.scales[one.mu]
         if size <= COMPUTED * largest:
             return rule.arithmetic * largest
         return max(size * rule.floor / mm if mm else 0.0, rule.arithmetic * size)
+
+    def _paper(self, one: Graded) -> float:
+        """What 1 mm stands for where a place is read off: at μ_l′ of a second diagram, where it is not of the first."""
+        figures = self.drawn.construction.figures
+        return self.scales.get(one.mu) or max(
+            (each.scale.value for each in figures if each.scale.unit == "m"), default=0.0
+        )
 
 
 def _near(one: Graded, found: Any, nominal: float) -> Any:

@@ -111,6 +111,9 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
         yield message(Told.NOT_RIGHT)
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):
         yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
+    if outcome is not Outcome.WRONG and found.exact[one.key] is Outcome.WRONG and one.key in found.followed:
+        source = source_of(found, one)
+        yield message(Told.SIZE_OWN, src=found.key[source].symbol, v=_mine(found, source))
     if said is not None:
         yield said
     if one.key not in why.slips and _turns_otherwise(found, one):

@@ -53,6 +53,7 @@ class Written:
     why: Words | None = None
 
 
+_TWO_WAYS = Words("写了两个不同的方向", "two directions are written, and are not one")
 _NONE = {
     "-",
     "--",
@@ -81,7 +82,7 @@ _LEAD = re.compile(r"^(?:[A-Za-zΑ-ω][\w^{}]*\s*[=≈:])?(?:[≈~=≅]|约为|�
 _WITHIN = re.compile(r"\s*(?:±|\+/?-)\s*\d+(?:\.\d+)?")  # 0.3 ± 0.01
 _ALONE = re.compile(r"\(([^(),;]+)\)(.*)")  # (0.3) m/s
 _FRACTION = re.compile(r"([+-]?\d+(?:\.\d+)?)\s*/\s*(\d+(?:\.\d+)?)(?![\d.])")
-_DATE = re.compile(r"\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?")
+_DATE = re.compile(r"(?:\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?|\d{1,2}:\d{2}:\d{2})(?!\S)")  # also before a direction
 _FORMULA = re.compile(r"=\s*-?(?:\$?[A-Z]{1,3}\$?\d|[A-Z]{2,}\(|\(?[\d.]+\s*(?!\*\s*10\s*\^)[*/+-]\s*[\d(A-Z$])")
 
 
@@ -117,9 +118,10 @@ def _unwrapped(bare: str) -> str:
 
 def _spoilt(bare: str) -> Words | None:
     """What a spreadsheet made of an answer: a date of 3-2, a formula whose value was never reckoned."""
-    if _DATE.fullmatch(bare):
+    if _DATE.match(bare):
         return Words(
-            "表格软件把它变成了日期；请作为文本重新输入", "a spreadsheet made a date of it; type it again, as text"
+            "表格软件把它变成了日期或时刻；请作为文本重新输入",
+            "a spreadsheet made a date or a time of it; type it again, as text",
         )
     if _FORMULA.match(bare):
         return Words(
@@ -136,6 +138,11 @@ def _one(raw: str, bare: str) -> Written:
     arc, bare = bare, in_degrees(bare)
     is_arc = arc != bare
     bare, direction = split_direction(bare)
+    bare, before = split_direction(bare.rstrip()) if direction is not None else (bare, None)
+    if direction is not None and before is not None:  # an arrow, and the column for directions too
+        if direction.beside(before.degrees) > direction.reach + before.reach:
+            return Written(raw=raw, state=State.AMBIGUOUS, why=_TWO_WAYS)
+        direction = min(direction, before, key=lambda one: one.reach)
     bare, senses = split_sense(bare)
     found = NUMBER.match(bare)
     if found is None:

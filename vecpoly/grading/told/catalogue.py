@@ -26,6 +26,7 @@ class Told(StrEnum):
     SIGN = "sign"
     REVERSED = "reversed"
     DIRECTION = "dir"
+    SIZE_OWN = "size_own"
     UNIT_MISSING = "unit_missing"
     UNIT_WRONG = "unit_wrong"
     UNIT_NONE = "unit_none"
@@ -113,6 +114,9 @@ SENTENCES: Mapping[Told, Words] = {
         "Magnitude right, direction reversed: check from which point to which the arrow runs",
     ),
     Told.DIRECTION: Words("大小正确，但方向差 {d}°", "Magnitude right, direction off by {d}°"),
+    Told.SIZE_OWN: Words(
+        "（大小按你前面的 ${src}$ = {v} 判定）", "(the magnitude judged by your earlier ${src}$ = {v})"
+    ),
     Told.UNIT_MISSING: Words("缺单位（应为 {u}），同题只扣一次", "Unit missing ({u}); deducted once per question"),
     Told.UNIT_WRONG: Words(
         "单位“{given}”不是此量的单位（应为 {u}），同题只扣一次",

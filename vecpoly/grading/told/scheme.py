@@ -46,6 +46,11 @@ _SAID = {
     ),
     "open": Words("尚可再交，不给出正确值", "answers may be handed in again; no right values are told"),
 }
+_DRAWING = {
+    "told": Words("不由图给分", "none"),
+    "given": Words("交了图的由图给分", "of whoever hands one in"),
+    "required": Words("必须交图", "a drawing is required"),
+}
 _SHARES = ("close", "own", "slip", "turned")
 
 
@@ -75,15 +80,17 @@ def rules_told(rules: Rules) -> tuple[Words, ...]:
     return tuple(_put(_SAID[name], _value(name, getattr(rules, name))) for name in changed)
 
 
-def _put(said: Words, value: str) -> Words:
-    return Words(said.zh.format(v=value), said.en.format(v=value))
+def _put(said: Words, value: Words) -> Words:
+    return Words(said.zh.format(v=value.zh), said.en.format(v=value.en))
 
 
-def _value(name: str, value: object) -> str:
+def _value(name: str, value: object) -> Words:
     match value:
         case tuple():
-            return ", ".join(map(str, value))
+            return Words.same(", ".join(map(str, value)))
         case float() | int() if name in _SHARES:
-            return f"{100 * value:g} %"
+            return Words.same(f"{100 * value:g} %")
+        case str() if name == "drawing":
+            return _DRAWING[value]
         case _:
-            return f"{value:g}" if isinstance(value, float) else str(value)
+            return Words.same(f"{value:g}" if isinstance(value, float) else str(value))

@@ -18,6 +18,7 @@ _IDENTITY = {
     "team": ("班级", "class", "team", "group"),
     "sheet": ("卷号", "sheet", "variant"),
 }
+NO_PROBLEM = "no-problem"
 _SUFFIX = re.compile(
     r"^(?P<symbol>.*?)[\s_]*(?:\(?(?P<mm>mm)\)?|(?P<deg>deg|°|方向|direction)|(?P<sense>sense|转向))$", re.I
 )
@@ -43,8 +44,8 @@ class Head:
 
 def identity(cell: str) -> str | None:
     """What of a student a column holds: student, name, team, sheet."""
-    bare = plain(cell).lower().replace("_", " ").strip(" .:*")
-    return next((what for what, heads in _IDENTITY.items() if bare in heads), None)
+    bare = plain(cell).lower().replace("_", "").replace(" ", "").strip(".:*")
+    return next((what for what, heads in _IDENTITY.items() if bare in {one.replace(" ", "") for one in heads}), None)
 
 
 def head(cell: str, keys: Mapping[str, AnswerKey], default: str | None = None) -> Head:
@@ -55,18 +56,28 @@ def head(cell: str, keys: Mapping[str, AnswerKey], default: str | None = None) -
     text = plain(cell)
     problem, colon, symbol = text.partition(":")
     if not colon or problem.strip() not in keys:
-        problem, symbol = default or _only(keys, text), text
+        problem, symbol = default or _only(keys, text, problem.strip() if colon else ""), text
     problem = problem.strip()
     key = keys[problem]
     names = [one.key for one in key.quantities] + list(key.scales) + [row.key for row in key.equations]
     return Head(problem, *_symbol(symbol.strip(), names))
 
 
-def _only(keys: Mapping[str, AnswerKey], text: str) -> str:
+def _only(keys: Mapping[str, AnswerKey], text: str, named: str) -> str:
+    """The one problem that there is; named: what stands before a colon, where that is none."""
     if len(keys) == 1:
         return next(iter(keys))
     from ...words import Words
 
+    if named:
+        raise UnknownNameError(
+            Words(
+                f"这次作业没有题 {named}；题号有 {'、'.join(keys)}",
+                f"this class has no problem {named}; the problems are {', '.join(keys)}",
+            ),
+            code=NO_PROBLEM,
+            numbers={"problem": named},
+        )
     raise UnknownNameError(
         Words(
             f"列“{text}”没有写是哪一题；请写 题号:符号，题号有 {'、'.join(keys)}",

@@ -7,6 +7,7 @@ import io
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from zipfile import BadZipFile, ZipFile
 
 from ...batch.roster import decoded
@@ -19,11 +20,15 @@ CELL_LETTERS = 200  # of a cell that are kept
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """One worksheet, or a file of comma-separated values: its name, and its rows of texts."""
+    """One worksheet, or a file of comma-separated values: its name, and its rows of texts.
+
+    merged: the cells, row and column from 0, that have their text in another row, with which they are merged.
+    """
 
     file: str
     name: str
     rows: tuple[tuple[str, ...], ...]
+    merged: tuple[tuple[int, int], ...] = ()
 
     def place(self, row: int, column: int) -> Place:
         """Where a cell stands, both from 0."""
@@ -45,13 +50,14 @@ def _workbook(path: Path) -> Iterator[Page]:
     from openpyxl import load_workbook
 
     try:
-        book = load_workbook(path, read_only=True, data_only=True)
-        written = load_workbook(path, read_only=True) if _has_formulas(path) else book
+        merges = _has(path, b"<mergeCell ")
+        book = load_workbook(path, read_only=not merges, data_only=True)
+        written = load_workbook(path, read_only=True) if _has(path, b"<f>", b"<f ") else book
         for sheet, formulas in zip(book.worksheets, written.worksheets, strict=True):
             rows = [tuple(_text(cell) for cell in row) for row in sheet.iter_rows(values_only=True)]
             if written is not book:
                 rows = list(map(_reckoned, rows, formulas.iter_rows(values_only=True)))
-            yield Page(str(path), sheet.title, tuple(rows))
+            yield Page(str(path), sheet.title, tuple(rows), tuple(_below(sheet)) if merges else ())
     except (BadZipFile, KeyError, ValueError, IndexError) as error:
         raise TableError(
             Words(
@@ -62,10 +68,18 @@ def _workbook(path: Path) -> Iterator[Page]:
         ) from None
 
 
-def _has_formulas(path: Path) -> bool:
+def _has(path: Path, *signs: bytes) -> bool:
+    """Whether a worksheet has one of these elements: formulas, merged cells."""
     with ZipFile(path) as parts:
         sheets = [name for name in parts.namelist() if name.startswith("xl/worksheets/")]
-        return any(sign in parts.read(name) for name in sheets for sign in (b"<f>", b"<f "))
+        return any(sign in parts.read(name) for name in sheets for sign in signs)
+
+
+def _below(sheet: Any) -> Iterator[tuple[int, int]]:
+    """The cells of merged ranges that are in another row than their text."""
+    for one in sheet.merged_cells.ranges:
+        rows, columns = range(one.min_row, one.max_row), range(one.min_col - 1, one.max_col)
+        yield from ((row, column) for row in rows for column in columns)
 
 
 def _reckoned(row: tuple[str, ...], formulas: tuple[object, ...]) -> tuple[str, ...]:

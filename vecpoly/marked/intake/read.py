@@ -12,7 +12,7 @@ from ...grading.reading.unit import unit
 from ...grading.reading.written import State, written
 from ...words import Words
 from .documents import documents
-from .heads import Head, Part, head, identity
+from .heads import NO_PROBLEM, Head, Part, head, identity
 from .joined import joined
 from .others import Sheets, of_others
 from .pages import Page, pages
@@ -42,7 +42,17 @@ def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf,
         documents(path, any_keys, keys_of, returned)
         return returned
     found = [_read(page, any_keys, keys_of, sheets, returned) for page in pages(path)]
-    if not any(found):
+    counts = [one for one in found if one is not None]
+    if counts and not any(counts):
+        raise TableError(
+            Words(
+                f"{path}：没有一列是这次作业的答案；请核对文件和作业文件夹（题号有 {'、'.join(any_keys)}）",
+                f"{path}: no column holds answers to this class; check the file and the folder (the problems are "
+                f"{', '.join(any_keys)})",
+            ),
+            code="no-answers",
+        )
+    if not counts:
         raise TableError(
             Words(
                 f"{path}：前 {HEADS} 行中没有“学号”一列；请用生成的答案表，或加表头 学号,v_C,…",
@@ -54,8 +64,8 @@ def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf,
     return returned
 
 
-def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, sheets: Sheets, returned: Returned) -> bool:
-    """Read one page; whether it has a header."""
+def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, sheets: Sheets, returned: Returned) -> int | None:
+    """Read one page: how many columns of answers it has; None where it has no header."""
     for i, row in enumerate(page.rows[:HEADS]):
         columns = {what: j for j, cell in enumerate(row) if (what := identity(cell)) is not None}
         if "student" not in columns:
@@ -63,18 +73,20 @@ def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, sheets: Sh
         long = _long(row)
         if "step" in long and "value" in long:
             _long_rows(page, i, columns["student"], long, keys_of, returned)
-        else:
-            others = of_others(page, i, columns, sheets, returned)
-            _wide_rows(page, i, columns["student"], _heads(page, i, columns, keys, returned), keys_of, returned, others)
-        return True
-    return False
+            return 1
+        others, heads = of_others(page, i, columns, sheets, returned), _heads(page, i, columns, keys, returned)
+        if heads:
+            _wide_rows(page, i, columns["student"], heads, keys_of, returned, others)
+        return len(heads)
+    return None
 
 
 def _heads(
     page: Page, i: int, columns: Mapping[str, int], keys: Mapping[str, AnswerKey], returned: Returned
 ) -> dict[int, Head]:
-    """Column → head; what is no symbol of any problem is told."""
+    """Column → head; what is no symbol of any problem is told, and a problem that there is not once."""
     found: dict[int, Head] = {}
+    strange = set[object]()
     default = page.name if page.name in keys else None
     for j, cell in enumerate(page.rows[i]):
         if j in columns.values() or not cell.strip():
@@ -82,7 +94,9 @@ def _heads(
         try:
             found[j] = head(cell, keys, default)
         except UnknownNameError as error:
-            returned.fault(page.place(i, j), "column", error.words)
+            if error.numbers.get("problem") not in strange:
+                returned.fault(page.place(i, j), "column", error.words)
+            strange |= {error.numbers["problem"]} if error.code == NO_PROBLEM else set()
     return found
 
 
@@ -106,11 +120,24 @@ def _wide_rows(
         if keys is None:
             returned.fault(page.place(n, student), "stranger", _stranger(number))
             continue
+        _of_merged(page, n, heads, number, returned)
         for problem, key in keys.items():
             parts = {one: row[j] for j, one in heads.items() if one.problem == problem and j < len(row)}
             if any(text.strip() for text in parts.values()):  # a row of blanks is nobody's work
                 places = {one.symbol: page.place(n, j) for j, one in heads.items() if one.problem == problem}
                 returned.add(Answers(student=number, problem=problem, cells=joined(key, parts), places=places))
+
+
+def _of_merged(page: Page, n: int, heads: Mapping[int, Head], number: str, returned: Returned) -> None:
+    """Tell that an answer of this row was merged with one above, so that it has none: nobody knows whether it is
+    meant for both."""
+    lost = [j for j in heads if (n, j) in page.merged]
+    if lost:
+        said = Words(
+            "单元格与上面的行合并了，此行没有答案；请取消合并，逐行填写",
+            "a cell is merged with the row above, and this row has no answer in it; unmerge it and fill in each row",
+        )
+        returned.fault(page.place(n, lost[0]), "merged", said, number)
 
 
 def _is_of_units(row: Sequence[str], heads: Mapping[int, Head]) -> bool:

@@ -49,8 +49,3 @@ class Returned:
         """Keep what cannot be used. student: the number, where it is known whose it is."""
         numbers = {"student": student} if student else {}
         self.faults.append(Fault(said=said, code=code, place=place, numbers=numbers))
-
-    @property
-    def aside(self) -> frozenset[str]:
-        """The numbers of those of whom a row was not used."""
-        return frozenset(str(one.numbers["student"]) for one in self.faults if "student" in one.numbers)

@@ -10,6 +10,10 @@ from ....words import Words
 from ..segment import Segment
 
 NO_WORDS = Words("", "")
+_OTHERS = Words(
+    "图上没有一个矢量与本题相符：是否交错了题，或是别人的图？请核对",
+    "no vector on it is one of this problem: is it the drawing of another problem, or another student's? check it",
+)
 
 
 class Verdict(StrEnum):
@@ -68,6 +72,10 @@ class VectorMark:
         return self.verdict in (Verdict.WRONG, Verdict.MISSING) and self.basis is not Basis.SLIP
 
 
+def _as_asked(one: VectorMark) -> bool:
+    return one.verdict in (Verdict.RIGHT, Verdict.CLOSE) and one.basis is Basis.EXACT
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FigureMark:
     """One figure: its vectors, what is drawn beside them, the gap of its polygon (mm on the sheet).
@@ -122,7 +130,9 @@ class DrawingMark:
         """Why a person must look at all of it: it had to be held otherwise than it was handed in."""
         if self.mirrored:
             return Words("整幅图左右镜像了；请核对", "the whole drawing is mirrored; check it")
-        return Words("整幅图转了方向；请核对", "the whole drawing is turned; check it") if self.turned else None
+        if self.turned:
+            return Words("整幅图转了方向；请核对", "the whole drawing is turned; check it")
+        return _OTHERS if self.vectors and not self.slips and not any(map(_as_asked, self.vectors)) else None
 
     @property
     def vectors(self) -> tuple[VectorMark, ...]:

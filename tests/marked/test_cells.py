@@ -1,0 +1,50 @@
+"""Cells as people fill them in: scales with a comma, cells that are merged over two students."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+from openpyxl import Workbook
+
+from tests.grading.cases import key_of
+from tests.marked.classes import NUMBERS, everybody, graded, wide
+from vecpoly.grading.sheet import sheet_of
+
+
+@pytest.mark.parametrize(
+    "text", ["0.006", "0,006", "0．006", "6×10^-3", "6e-3", "0,006 (m/s)/mm", "6 mm/s/mm", "0.006 m/s/mm"]
+)
+def test_a_scale_is_read_as_any_number_is(text: str) -> None:
+    """0,006 was refused with “if of thousands, write 0006”, and v = 0,191 beside it was read."""
+    sheet = sheet_of(key_of("3-9"), {"mu_v": text})
+    assert not sheet.faults and sheet.scales == {"mu_v": pytest.approx(0.006)}
+
+
+def test_a_scale_that_cannot_be_read_is_told_with_its_name_and_its_problem(tmp_path: Path) -> None:
+    rows = {number: cells | {"mu_v": "6,000"} for number, cells in everybody().items()}
+    file = wide(tmp_path / "a.csv", rows, mark=";")
+    graded(tmp_path / "out", file)
+    queue = list(csv.DictReader((tmp_path / "out" / "queue.csv").read_text("utf-8-sig").splitlines()))
+    assert len(queue) == 3 and all("题 3-9：μ_v = 6,000" in row["原因"] for row in queue)
+
+
+def test_a_cell_merged_over_several_students_is_told_of_those_who_have_none(tmp_path: Path) -> None:
+    """A spreadsheet keeps it with the first: the others were blank without a word."""
+    book = Workbook()
+    page = book.active
+    assert page is not None
+    cells = everybody()
+    page.append(["作业 3", *[""] * 3])
+    page.merge_cells("A1:D2")
+    page.append([])
+    page.append(["学号", *cells[NUMBERS[0]]])
+    for number, row in cells.items():
+        page.append([number, *row.values()])
+    page.merge_cells("C4:C5")
+    book.save(tmp_path / "a.xlsx")
+    done = graded(tmp_path / "out", tmp_path / "a.xlsx")
+    assert [(one.code, one.numbers["student"]) for one in done.faults] == [("merged", NUMBERS[1])]
+    assert "line 5, column 3" in done.faults[0].words.en
+    assert [one.aside for one in done.results] == [False, True, False]
