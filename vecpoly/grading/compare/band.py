@@ -51,8 +51,8 @@ def widened(given: Measured, target: Target) -> float:
 
 
 def _upwards(graded: Graded, target: Target, rule: Allowance) -> float:
-    """T of a length that is hardly one and comes out longer, where drawings scatter by more than it: none comes out less
-    than nothing."""
+    """T of a length that is hardly one and comes out longer, where drawings scatter by more than it: none comes out
+    less than nothing."""
     short = graded.demoted and graded.mm is not None and graded.mm < rule.short
     return rule.k * graded.sigma if short and target.allowed >= abs(target.value) else 0.0
 
