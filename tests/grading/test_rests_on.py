@@ -50,3 +50,12 @@ def test_what_is_computed_once_more_as_a_check_is_not_what_others_rest_on() -> N
     assert "F_t0" in key_of("5-5")["M_2/Q"].needs
     for name in ("5-1", "5-4"):
         assert key_of(name)["eta"].needs
+
+
+def test_a_force_that_is_no_vector_of_the_key_stands_for_its_length_where_that_was_not_written() -> None:
+    """η = F_0/F of the clamp is found from both lengths; who writes forces alone goes on with these."""
+    own = {"F": "20", "F_0": "30"}
+    assert (
+        marked("5-3", {**own, "eta": "1.5"})["eta"].is_right
+        and not marked("5-3", {**own, "eta": "4"})["eta"].is_right
+    )

@@ -162,7 +162,7 @@ class Follower:
         of = self.key[name]
         if of.kind is Kind.READING and of.mu not in self.key.scales:
             return None
-        found = [one for one in self.key.quantities if _tells(one, of) and self.usable(one)]
+        found = [one for one in self.key.quantities if _tells(one, of, self.key.scales) and self.usable(one)]
         return found[0] if found and found[0].key not in seen else None
 
     def _take(self, one: Graded, source: str, found: Inputs) -> None:
@@ -208,8 +208,9 @@ class Follower:
         return min(lengths, default=None)
 
 
-def _tells(one: Graded, of: Graded) -> bool:
-    """Whether a value tells another that was not written down: the vector of a length, or what is equal to it alone."""
+def _tells(one: Graded, of: Graded, scales: Mapping[str, float]) -> bool:
+    """Whether a value tells another that was not written down: what a length stands for by its scale, vector or not, or
+    what is equal to it alone."""
     if of.kind is Kind.READING:
-        return one.line == of.key and one.kind is Kind.VECTOR
+        return one.line == of.key and (one.kind is Kind.VECTOR or isclose(abs(one.exact), of.exact * scales[of.mu]))
     return one.needs == (of.key,) and (one.kind, one.unit) == (of.kind, of.unit) and isclose(one.exact, of.exact)
