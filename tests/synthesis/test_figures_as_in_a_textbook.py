@@ -13,6 +13,8 @@ from vecpoly.algebra.quantity import number
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import AngleMark, Arc, Block, FixedGuide, Ground, Mark, Point, Role, Segment
 from vecpoly.designs.base import Design
+from vecpoly.drawing.figure import drawing
+from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.sheets.sheet import Placed, Sheet, sheets
 
 DESIGNS = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Design)))
@@ -131,6 +133,15 @@ def test_a_figure_of_transmission_angles_is_larger_where_its_links_were_short_an
     assert any("μ_l′" in step.words.zh for step in drawn(name).construction.steps)
     shared = drawn("8-4").construction.figures  # of which the sheet's scale is large enough
     assert len({figure.scale.value for figure in shared}) == 1
+
+
+@each(TWO)
+def test_transmission_angles_stand_with_their_values_for_whose_sake_their_figure_is_drawn(name: str) -> None:
+    angles = drawn(name).construction.figures[1:]
+    for figure in angles:
+        labels = drawing(figure, lang="zh").labels
+        widths = [label.want.width for label in labels if label.want.thing is Thing.ARC]
+        assert len(widths) == 2 and min(widths) > 15.0, (figure.name, widths)  # γ″⁽²⁾ alone is 7 mm wide
 
 
 def _titled(sheet: Sheet) -> Iterator[tuple[Figure, Placed]]:
