@@ -105,9 +105,9 @@ def _lines(marks: Iterable[Mark]) -> Any:
 
 def _acting(marks: Iterable[Mark]) -> list[Acting]:
     """The arrows of forces, and the lines along which they act."""
-    vectors = [(mark, ARROW) for mark in marks if isinstance(mark, Vector)]
-    thin = [(m, ALONG) for m in marks if isinstance(m, Segment) and m.role in (Role.DIRECTION, Role.IDEAL)]
-    ends = ((one.a, one.b, much) for one, much in (*vectors, *thin) if abs(one.b - one.a) > NEAR)
+    vectors = [(mark.a, mark.b, ARROW) for mark in marks if isinstance(mark, Vector)]
+    segments = (mark for mark in marks if isinstance(mark, Segment) and mark.role in (Role.DIRECTION, Role.IDEAL))
+    ends = (one for one in (*vectors, *((m.a, m.b, ALONG) for m in segments)) if abs(one[1] - one[0]) > NEAR)
     return [(shapely.LineString([(a.real, a.imag), (b.real, b.imag)]), much) for a, b, much in ends]
 
 
