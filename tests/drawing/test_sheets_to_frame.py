@@ -16,7 +16,7 @@ from tests.drawn_sheets import laid, lettered
 from tests.each import Later, each
 from tests.laws import few
 from vecpoly.board.construction import Figure, View
-from vecpoly.board.paper.marks import Arc, Dot, Mark, Point, Role, Segment
+from vecpoly.board.paper.marks import Arc, Curve, Dot, Mark, Point, Role, Segment
 from vecpoly.board.paper.scales import Sketched
 from vecpoly.board.place import Place
 from vecpoly.diagram.chains import HALF_GUIDE
@@ -30,7 +30,7 @@ from vecpoly.drawing.sheets.scales.composition import Composing, Scales
 from vecpoly.drawing.sheets.scales.refilling import refilled
 from vecpoly.drawing.sheets.sheet import Sheet
 from vecpoly.drawing.sheets.space import room_inside
-from vecpoly.drawing.style import THIN, Hue, pen
+from vecpoly.drawing.style import THIN, Dash, Hue, pen
 
 OFF, AT_LEAST = 1.4, 1.0  # mm between the number of a link and the edge of its bar: as a rule; at least
 LINE, ROW = 1.0, 15.0  # mm: titles on one line differ less; those of one row as much
@@ -89,10 +89,13 @@ def test_a_second_linkage_is_drawn_as_nothing_else_is(role: Role) -> None:
 def test_three_linkages_with_one_coupler_curve_have_lines_of_their_own() -> None:
     (figure,) = drawn("cognates").figures(View.MECHANISM)
     pins = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point) and mark.dot is Dot.JOINT}
-    for bars, role in (("AB BC CD", Role.LINK), ("AG GH", Role.GIVEN), ("DM MN", Role.SECOND)):
+    for bars, role in (("AB BC CD", Role.LINK), ("AG GH", Role.GIVEN), ("DM MN", Role.OTHER)):
         for one, two in ((bar[0], bar[1]) for bar in bars.split()):
             between = [mark.role for mark in figure.marks if isinstance(mark, Segment) and _joins(mark, pins, one, two)]
             assert role in between, (one, two, between)
+    path = next(mark for mark in figure.marks if isinstance(mark, Curve) and mark.role is Role.CENTRE)
+    looks = [pen(role, Hue.BLACK).dash for role in (Role.LINK, Role.OTHER, path.role)]
+    assert looks == [Dash.FULL, Dash.DASHED, Dash.DASH_DOT]  # the second is told from the path at sight
 
 
 def _joins(mark: Segment, pins: dict[str, complex], one: str, two: str) -> bool:

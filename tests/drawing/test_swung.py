@@ -11,7 +11,7 @@ import shapely
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.board.construction import View
-from vecpoly.board.paper.marks import TURN, AngleMark, FixedGuide, Ground, Mark, Role, Segment, TurnArrow
+from vecpoly.board.paper.marks import TURN, AngleMark, FixedGuide, Ground, Mark, Role, Segment, TurnArrow, Vector
 from vecpoly.drawing.labels.wants import wants
 from vecpoly.drawing.scene import Layer
 from vecpoly.drawing.swung import swung
@@ -26,7 +26,7 @@ def arc(mark: AngleMark | TurnArrow) -> shapely.LineString:
     return shapely.LineString([(z.real, z.imag) for z in points])
 
 
-def line(mark: Segment) -> shapely.LineString:
+def line(mark: Segment | Vector) -> shapely.LineString:
     return shapely.LineString([(mark.a.real, mark.a.imag), (mark.b.real, mark.b.imag)])
 
 
@@ -54,6 +54,24 @@ def test_a_narrow_angle_that_is_pointed_at_from_outside_keeps_its_tails_off_the_
     *_, found = swung((*walls, angle))
     assert isinstance(found, AngleMark) and found.radius < 11.0
     assert (found.at, found.start, found.sweep) == (0j, pi / 2, radians(13))
+
+
+def test_an_arrow_over_a_force_begins_elsewhere_yet_never_on_a_link_for_it() -> None:
+    force = Vector(a=-20 + 7j, b=20 + 7j, role=Role.GIVEN, label="F_I3", step=2)
+    arrow = TurnArrow(at=0j, radius=9.0, start=pi / 2 - TURN / 2, ccw=True, label="ω_1", step=1)
+    *_, found = swung((force, arrow))
+    assert isinstance(found, TurnArrow) and arc(found).distance(line(force)) > 0.5 > arc(arrow).distance(line(force))
+    rays = [Segment(a=0j, b=cmath.rect(20, k * pi / 6), role=Role.LINK, step=1) for k in range(6, 13)]  # but above
+    *_, kept = swung((*rays, force, arrow))
+    assert isinstance(kept, TurnArrow) and not any(arc(kept).distance(line(ray)) < 0.5 for ray in rays)
+
+
+@each(["six-bar-dynamic", "cam-roller-load"])
+def test_the_arrow_of_the_drive_crosses_no_force_of_its_diagram(name: str) -> None:
+    (figure, *_) = drawn(name).construction.figures
+    marks = swung(figure.marks)
+    (arrow,) = (mark for mark in marks if isinstance(mark, TurnArrow))
+    assert all(arc(arrow).distance(line(mark)) > 0.5 for mark in marks if isinstance(mark, Vector))
 
 
 def test_what_is_clear_stays_as_it_is() -> None:

@@ -11,6 +11,7 @@ from vecpoly.board.paper.tones import whose
 from vecpoly.drawing.scene import Fill
 from vecpoly.drawing.symbols.around import Surroundings
 from vecpoly.drawing.symbols.marks import draw
+from vecpoly.mechanism.model import FRAME, Circle, Rolling
 
 
 def figure(name: str, view: View = View.MECHANISM, called: str = "") -> Figure:
@@ -90,3 +91,18 @@ def test_two_forces_in_joints_of_one_problem_have_different_tones_while_there_ar
 
 def test_a_couple_and_its_force_on_the_lever_are_one_vector() -> None:
     assert whose("F_M1") == whose("M_1") and whose("F_MI2") == whose("M_I2") != whose("M_2")
+
+
+@pytest.mark.parametrize(("name", "inner"), [("planet-drive", False), ("hypocycloid-drive", True)])
+def test_a_fixed_gear_is_hatched_along_its_own_rim_on_the_side_of_its_body(name: str, inner: bool) -> None:
+    one = drawn(name)
+    mechanism, scale = figure(name), figure(name).scale.value
+    rolling = next(joint for joint in one.problem.mechanism.joints if isinstance(joint, Rolling))
+    fixed = next(c for c in (rolling.gear, rolling.on) if isinstance(c, Circle) and c.link == FRAME)
+    centre, radius = place(mechanism, fixed.centre), fixed.radius / scale
+    rim = [m for m in mechanism.marks if isinstance(m, FixedGuide) and abs(abs(m.a - centre) - radius) < 1e-6]
+    assert len(rim) >= 4
+    for mark in rim:
+        hatched = -1j * (mark.b - mark.a)  # on the right hand of its line
+        assert abs(mark.b - centre) == pytest.approx(radius)
+        assert ((hatched / ((mark.a + mark.b) / 2 - centre)).real > 0) is inner

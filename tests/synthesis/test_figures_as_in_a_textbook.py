@@ -3,13 +3,19 @@ arcs and values, the positions that are not thick in dashes."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 
 from tests.drawn_library import IDS, Drawn, drawn, given
 from tests.each import Later, each
 from vecpoly.algebra.quantity import number
+from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import AngleMark, Arc, Block, FixedGuide, Ground, Mark, Point, Role, Segment
 from vecpoly.designs.base import Design
+from vecpoly.drawing.figure import drawing
+from vecpoly.drawing.labels.want import Thing
+from vecpoly.drawing.sheets.sheet import Placed, Sheet, sheets
 
 DESIGNS = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Design)))
 FULL = 2.0  # mm: a shorter line tells nothing
@@ -102,3 +108,41 @@ def test_the_pin_of_a_crank_goes_round_on_a_dash_dotted_circle(name: str) -> Non
     rounds = [mark for mark in _marks(drawn(name)) if isinstance(mark, Arc) and mark.role is Role.CENTRE]
     grounds = [mark.at for mark in _marks(drawn(name)) if isinstance(mark, Ground)]
     assert rounds and all(min(abs(one.centre - at) for at in grounds) < 1e-6 for one in rounds)
+
+
+TWO = ["K-crank-rocker-AD", "K-crank-rocker-BC", "8-15"]
+
+
+@each(TWO)
+def test_two_solutions_stand_one_below_the_other_each_beside_its_transmission_angles(name: str) -> None:
+    (sheet,) = sheets(drawn(name).construction)
+    at = {one.title.en.partition(" (")[0][:5] + one.title.en[-2]: place.extents for one, place in _titled(sheet)}
+    assert set(at) == {"Synth1", "Synth2", "Least1", "Least2"}
+    for n in "12":
+        assert at[f"Synth{n}"].x1 < at[f"Least{n}"].x0 and at[f"Least{n}"].y0 < at[f"Synth{n}"].y1
+    assert at["Synth2"].y1 < at["Synth1"].y0 and at["Least2"].y1 < at["Least1"].y0
+
+
+@each([*TWO, "K-crank-rocker-line"])
+def test_a_figure_of_transmission_angles_is_larger_where_its_links_were_short_and_none_else(name: str) -> None:
+    main, *angles = drawn(name).construction.figures
+    for figure in angles:
+        assert figure.scale.value <= main.scale.value / 1.25 and figure.scale.symbol != main.scale.symbol
+        pins = [mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label[0] in "ABCD"]
+        assert 40.0 < max(abs(a - b) for a in pins for b in pins) < 90.0
+    assert any("μ_l′" in step.words.zh for step in drawn(name).construction.steps)
+    shared = drawn("8-4").construction.figures  # of which the sheet's scale is large enough
+    assert len({figure.scale.value for figure in shared}) == 1
+
+
+@each(TWO)
+def test_transmission_angles_stand_with_their_values_for_whose_sake_their_figure_is_drawn(name: str) -> None:
+    angles = drawn(name).construction.figures[1:]
+    for figure in angles:
+        labels = drawing(figure, lang="zh").labels
+        widths = [label.want.width for label in labels if label.want.thing is Thing.ARC]
+        assert len(widths) == 2 and min(widths) > 15.0, (figure.name, widths)  # γ″⁽²⁾ alone is 7 mm wide
+
+
+def _titled(sheet: Sheet) -> Iterator[tuple[Figure, Placed]]:
+    return ((one.figure, one) for one in sheet.figures if one.figure is not None)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Sequence
-from math import pi
+from itertools import pairwise
+from math import ceil, pi
 
 from ..board.paper.marks import FixedGuide, GearMark, LinkNumber, Mark, RackMark, Role, Segment, Weld
 from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
@@ -13,7 +14,8 @@ from ..problem.problem import Shape
 from .posed import Posed
 
 HALF = 1.3  # of the gear's radius: the rack to either side of the pitch point
-HALF_HATCH = 15.0  # mm: the hatching of a fixed gear to either side
+HALF_HATCH, WIDEST = 15.0, pi / 6  # mm, rad: the hatching of a fixed rack or gear to either side
+CHORD = 4.0  # mm: of a hatched arc
 FACE = 2.2  # mm from the pitch line to the body of a rack, to which its pins are joined
 DEEP = 7.2  # mm from the pitch line to the underside of a rack
 RIM = 2.0  # mm from a ring to its number
@@ -31,14 +33,23 @@ def gear_marks(posed: Posed, circle: Circle, joint: Rolling, drawn: Sequence[Mar
     yield GearMark(centre=centre, radius=radius)
     yield from _welded(posed, circle, centre)
     if circle.link == FRAME:
-        foot, along = centre - 1j * radius, 1.0 if joint.internal else -1.0
-        yield FixedGuide(a=foot + along * -HALF_HATCH, b=foot + along * HALF_HATCH)
+        half = min(HALF_HATCH / radius, WIDEST)
+        yield from hatched_arc(centre, radius, -pi / 2, half, inner=_is_ring(circle, joint))
     elif posed.shape(circle.link, Shape.GEAR) is Shape.GEAR:
         pins = [posed.at[p] for p in posed.body(circle.link).points if p != circle.centre]
         yield from (Segment(a=centre, b=pin, role=Role.LINK) for pin in pins if abs(pin - centre) > BESIDE)
         if not any(isinstance(m, LinkNumber) and m.number == posed.name(circle.link) for m in drawn):
             spot = pins[0] if pins else _beside_ring(centre, radius) if _is_ring(circle, joint) else centre
             yield LinkNumber(a=centre if pins else spot, b=spot, number=posed.name(circle.link))
+
+
+def hatched_arc(centre: complex, radius: float, middle: float, half: float, *, inner: bool) -> Iterator[FixedGuide]:
+    """The rim of a fixed wheel hatched about a direction (rad), so far to either side: inside, where its body lies;
+    outside where its teeth are inner ones. A straight line touching it would be a rail on which it rolls."""
+    count = ceil(2 * half * radius / CHORD)
+    cuts = [centre + cmath.rect(radius, middle + half * (2 * n / count - 1)) for n in range(count + 1)]
+    for a, b in pairwise(cuts):
+        yield FixedGuide(a=a, b=b) if inner else FixedGuide(a=b, b=a)
 
 
 def _welded(posed: Posed, circle: Circle, centre: complex) -> Iterator[Weld]:

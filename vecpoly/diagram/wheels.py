@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from cmath import exp
 from collections.abc import Iterator
-from itertools import pairwise
-from math import ceil, pi
+from math import pi
 
-from ..board.paper.marks import Arc, Dot, FixedGuide, GearMark, Mark, Point, Role
+from ..board.paper.marks import Arc, Dot, GearMark, Mark, Point, Role
 from ..board.paper.symbols import Symbol
+from .gears import hatched_arc
 from .owners import FIXED, joint, link
 from .single import number, pivot, rod
 
 OUTSIDE = 5.0  # mm: rim of a ring
-CHORD, HELD = 4.0, pi / 9  # mm: of a hatched arc; rad: of it to either side of where a wheel is held
+HELD = pi / 9  # rad: of a hatched arc to either side of where a wheel is held
 
 
 def epicyclic_train(sun: float, arm: float, planets: tuple[float, ...], ring: float) -> Iterator[Symbol]:
@@ -45,11 +44,7 @@ def number_of_ring(radius: float) -> Symbol:
 def held(radius: float, *middles: float, inner: bool = False) -> Symbol:
     """The hatching of a fixed wheel about some directions (rad): outside a ring's body, inside another's rim."""
     rim = radius + OUTSIDE if inner else radius
-    count = ceil(2 * HELD * rim / CHORD)
-    cuts = [exp(1j * HELD * (2 * n / count - 1)) * rim for n in range(count + 1)]
-    turned = [[cut * exp(1j * middle) for cut in cuts] for middle in middles]
-    pairs = [(a, b) if inner else (b, a) for arc in turned for a, b in pairwise(arc)]
-    return Symbol.of(FIXED, (FixedGuide(a=a, b=b) for a, b in pairs))
+    return Symbol.of(FIXED, (mark for middle in middles for mark in hatched_arc(0j, rim, middle, HELD, inner=inner)))
 
 
 def _rims(ring: float) -> Iterator[Mark]:

@@ -11,6 +11,7 @@ from .weighing.placed import BAD, Placed
 ABOUT, MANY = 12.0, 4  # mm about a label in which no more stand than so many, itself included
 FAR = 8.0  # mm from its line to a name on a leader, beyond which it no longer stands at it
 LED = 2  # labels for which one on a leader counts
+FEW = 9  # labels of a figure that is drawn for the sake of its angles: their values stay, wherever they stand
 SERIES = 6  # numbers of points at least, of which some may be left out
 MEET = 2.5  # mm between the feet of direction lines that meet in one point
 
@@ -20,6 +21,8 @@ def relieved(placed: Mapping[int, Placed], *, polygon: bool, farther: bool) -> t
     farther off either; and which say less: angles whose values would stand far off, or in a crowd, on a leader."""
     left_out = _spared(placed) if polygon else frozenset[int]()
     left_out |= _numbers_astray(placed) if farther else frozenset[int]()
+    if len(placed) <= FEW:
+        return left_out, frozenset()
     brief = frozenset(i for i, one in placed.items() if i not in left_out and _tells_too_much(one, placed.values()))
     return left_out, brief
 

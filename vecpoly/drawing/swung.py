@@ -1,17 +1,17 @@
-"""Arcs of angles and curved arrows are swung where they cross no link and no hatching: with another radius, or, an
-arrow, begun elsewhere about its point. What they tell stays: vertex, rays and sense."""
+"""Arcs of angles and curved arrows are swung where they cross no link, no hatching and no force: with another radius,
+or, an arrow, begun elsewhere about its point. What they tell stays: vertex, rays and sense."""
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from math import pi
 from typing import Any
 
 import numpy as np
 import shapely
 
-from ..board.paper.marks import AngleMark, FixedGuide, Ground, Mark, TurnArrow
+from ..board.paper.marks import AngleMark, FixedGuide, Ground, Mark, Role, Segment, TurnArrow, Vector
 from ..foundation.slotted import replace
 from .symbols.angles import TAIL, Arc, narrow, sweep_of
 from .symbols.bodies import FOOT_HEIGHT, GROUND_HALF
@@ -23,6 +23,9 @@ TURNS = tuple(sign * n * pi / 12 for n in range(13) for sign in ((1, -1) if n el
 LEAST, CLEAR, APART = 5.0, 0.6, 1.6  # mm: radius; from a line; from another arc about the same point
 HATCH = 1.4  # mm: depth of hatching that counts
 FINE = 16  # chords of an arc
+ARROW, ALONG = 0.9, 0.2  # what a curved arrow pays for a force that it crosses, or for its line, where a link costs 1
+
+Acting = tuple[Any, float]  # a line, and what it costs
 
 
 def swung(marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
@@ -30,16 +33,16 @@ def swung(marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
     arcs = [mark for mark in marks if isinstance(mark, Arc) and mark.radius > NEAR]
     if not arcs:
         return marks
-    lines, grounds = _lines(marks), shapely.union_all([*_grounds(marks)])
+    lines, grounds, acting = _lines(marks), shapely.union_all([*_grounds(marks)]), _acting(marks)
     found: dict[int, Arc] = {}
     for arc in arcs:
         others = [found.get(id(one), one) for one in arcs if one is not arc and abs(one.at - arc.at) < NEAR]
-        found[id(arc)] = _clear(arc, lines, grounds, others)
+        found[id(arc)] = _clear(arc, lines, grounds, others, acting if isinstance(arc, TurnArrow) else ())
     return tuple(found.get(id(mark), mark) for mark in marks)
 
 
-def _clear(arc: Arc, lines: Any, grounds: Any, others: Iterable[Arc]) -> Arc:
-    """The first of the ways to swing it that touches least."""
+def _clear(arc: Arc, lines: Any, grounds: Any, others: Iterable[Arc], acting: Sequence[Acting]) -> Arc:
+    """The first of the ways to swing it that touches least; acting: arrows and lines that count, too."""
     reach = max(RADII) * arc.radius + CLEAR
     about = shapely.Point(arc.at.real, arc.at.imag)
     near = lines[shapely.dwithin(lines, about, reach)] if len(lines) else lines
@@ -47,13 +50,15 @@ def _clear(arc: Arc, lines: Any, grounds: Any, others: Iterable[Arc]) -> Arc:
     hatched = shapely.intersection(grounds, about.buffer(reach))
     if not isinstance(arc, TurnArrow):
         near = near[~through]  # the rays of an angle end at its arc
-    if not len(near) and hatched.is_empty:
+    forces = [(line, much) for line, much in acting if shapely.dwithin(line, about, reach)]
+    if not len(near) and hatched.is_empty and not forces:
         return arc
     best, least = arc, float("inf")
     for trial in _ways(arc):
         bow = _bow(trial)
         cost = float(shapely.dwithin(near, bow, CLEAR).sum()) + (shapely.distance(hatched, bow) < CLEAR / 3)
         cost += sum(_meets(trial, other) for other in others)
+        cost += sum(much for line, much in forces if shapely.dwithin(line, bow, CLEAR))
         if cost < least - 1e-9:
             best, least = trial, cost
         if not cost:
@@ -96,6 +101,14 @@ def _lines(marks: Iterable[Mark]) -> Any:
     """The outlines of links and bodies."""
     ends = np.array([*outlines(marks)], dtype=complex).reshape(-1, 2)
     return shapely.linestrings(np.stack([ends.real, ends.imag], axis=-1)) if len(ends) else np.zeros(0, dtype=object)
+
+
+def _acting(marks: Iterable[Mark]) -> list[Acting]:
+    """The arrows of forces, and the lines along which they act."""
+    vectors = [(mark.a, mark.b, ARROW) for mark in marks if isinstance(mark, Vector)]
+    segments = (mark for mark in marks if isinstance(mark, Segment) and mark.role in (Role.DIRECTION, Role.IDEAL))
+    ends = (one for one in (*vectors, *((m.a, m.b, ALONG) for m in segments)) if abs(one[1] - one[0]) > NEAR)
+    return [(shapely.LineString([(a.real, a.imag), (b.real, b.imag)]), much) for a, b, much in ends]
 
 
 def _grounds(marks: Iterable[Mark]) -> Iterator[Any]:

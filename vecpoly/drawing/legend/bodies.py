@@ -61,7 +61,7 @@ CURVES: tuple[Kind, ...] = (
     Kind(words=Words("动瞬心线", "moving centrode"), met=traced(Role.CARRIED, Curve), sample=line),
     Kind(words=Words("点的轨迹", "path of a point"), met=traced(Role.CENTRE, Curve), sample=line),
     Kind(words=Words("同源机构一", "first cognate"), met=is_cognate(Role.GIVEN), sample=line),
-    Kind(words=Words("同源机构二", "second cognate"), met=is_cognate(Role.SECOND), sample=line),
+    Kind(words=Words("同源机构二", "second cognate"), met=is_cognate(Role.OTHER), sample=line),
     Kind(words=Words("点的轨迹", "path of a point"), met=is_path, sample=line),
     Kind(words=Words("连杆曲线", "coupler curve"), met=is_coupler_curve, sample=line),
     Kind(

@@ -40,6 +40,7 @@ from .met import (
     in_centre_polygon,
     in_polygon,
     is_lone_profile,
+    is_other_position,
     is_other_solution,
     is_rim,
     of_profile,
@@ -135,7 +136,7 @@ KINDS: tuple[Kind, ...] = (
     Kind(words=Words("理论廓线", "pitch curve"), met=of_profile(Role.HIDDEN), sample=line),
     Kind(
         words=Words("机构的另一位置", "another position"),
-        met=traced(Role.OTHER, Segment),
+        met=is_other_position,
         sample=line,
         brief=Words("另一位置", "another position"),
     ),

@@ -104,6 +104,11 @@ def _has_path(figure: Figure) -> bool:
     return any(isinstance(one, Curve) and one.role is Role.CENTRE for one in figure.marks)
 
 
+def is_other_position(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a bar in another position, and not of another linkage that leads a point along one path."""
+    return traced(Role.OTHER, Segment)(figure, mark) and not is_cognate(Role.OTHER)(figure, mark)
+
+
 def is_other_solution(figure: Figure, mark: Mark) -> bool:
     """Whether it is a bar of a solution that is not the one in thick lines."""
     return traced(Role.SECOND, Segment)(figure, mark) and not _has_path(figure)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from ...foundation.slotted import dataclass
-from .slicing import Pair, Piece, Shape, Size, Slicing, depth, is_read
+from .slicing import Pair, Piece, Shape, Size, Slicing, depth, is_read, is_table
 from .space import HIGHEST, NARROW, PLATE
 from .spreading import spread
 
@@ -21,14 +21,15 @@ AMPLE = 11.0  # mm of white that leaves nothing to be wished: then the plainest 
 @dataclass(frozen=True, slots=True)
 class Layout:
     """Lower left corners of figures on a page of this size,
-    the least white left between them, how many pairs stand side by side or one above the other, and how much deeper
-    the page is cut than into rows, or columns."""
+    the least white left between them, how many pairs stand side by side or one above the other, how much deeper
+    the page is cut than into rows, or columns, and whether it is a table of rows with as many figures each."""
 
     page: Size
     corners: tuple[complex, ...]
     white: float
     together: int = 0
     nested: int = 0
+    table: bool = False
 
     def share(self, sizes: Sequence[Size]) -> float:
         """What the box about all figures takes of the page's area."""
@@ -119,7 +120,9 @@ def _layout(
     start, end = which
     corners = spread(piece, around, inner(page))
     placed = tuple([at + complex(TIGHT, TIGHT) for at in corners[start:end]])
-    return Layout(page, placed, _white(placed, sizes[start:end], page), together, max(0, depth(piece) - 2))
+    return Layout(
+        page, placed, _white(placed, sizes[start:end], page), together, max(0, depth(piece) - 2), is_table(piece)
+    )
 
 
 def _white(corners: Sequence[complex], sizes: Sequence[Size], page: Size) -> float:

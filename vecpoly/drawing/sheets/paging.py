@@ -24,6 +24,7 @@ from .spreading import sunk
 
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 NESTED, TIGHTLY = 0.1, 0.07  # the same, over one that is plainer by a cut within cuts; for each mm of white it lacks
+TABLE = 0.1  # the same that a table of rows with as many figures each may lack
 WELL = 0.65  # of a page that figures fill as a rule: titles on one line are worth no less
 
 
@@ -69,12 +70,13 @@ def best_paged(variants: Iterable[Sequence[F]], on: Paper = ANY_A4) -> list[Page
 
 def _rank(found: tuple[Cost, list[Page[F]]]) -> tuple[Cost, float]:
     """The dearer, the later; of equal costs the one over whose pages the figures spread widest, in plain rows or
-    columns with white between them."""
+    columns, best those of a table, with white between them."""
     cost, pages = found
     across = any(is_across(layout.page) for _, layout in pages)
     nested = max((layout.nested for _, layout in pages), default=0)
     lacking = max((CROWDED - layout.white for _, layout in pages), default=0.0)
-    return cost, (UPRIGHT if across else 0.0) + NESTED * nested + TIGHTLY * max(lacking, 0.0) - fullness(pages)
+    bad = (UPRIGHT if across else 0.0) + NESTED * nested + TIGHTLY * max(lacking, 0.0)
+    return cost, bad - fullness(pages) - (TABLE if all(layout.table for _, layout in pages) else 0.0)
 
 
 def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:

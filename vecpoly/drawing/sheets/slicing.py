@@ -140,6 +140,14 @@ def is_read(piece: Piece) -> bool:
     return all(map(is_read, piece.pieces)) and (piece.down or all(map(is_row, piece.pieces[:-1])))
 
 
+def is_table(piece: Piece) -> bool:
+    """Whether it is cut into rows, or columns, of as many figures each."""
+    if not isinstance(piece, Cut):
+        return False
+    parts = [one.pieces if isinstance(one, Cut) else (one,) for one in piece.pieces]
+    return len({len(one) for one in parts}) == 1 < len(parts[0]) and depth(piece) == 2
+
+
 def depth(piece: Piece) -> int:
     """How often a piece is cut within a piece: 1 for a row, 2 for a column of rows."""
     return 1 + max(depth(one) for one in piece.pieces) if isinstance(piece, Cut) else 0

@@ -49,13 +49,14 @@ class Draft(Bench):
     of them are valid. sketched: the candidates of that sketch, at the scale of this sheet. asked: the keys that are to
     be read. take: the number of the solution that is taken. rejected: whether the candidate found next is no solution.
     kind: what linkage that is. parts: with which step what is drawn for another solution alone begins, and how
-    many have been found before.
+    many have been found before. steps: by so many round scales a figure of angles may be drawn larger.
     """
 
     numbers: tuple[int, ...] = ()
     sketched: tuple[Found, ...] = ()
     valid: int = 0
     take: int = 1
+    steps: int = 0
     asked: frozenset[str] = frozenset()
     rejected: bool = False
     kind: Words | None = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import chain
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from ...board.board import Board
 from ...board.construction import Construction, Scale
 from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
+from ...board.place import Pane
 from ...board.said.yielded import evaluated
 from ...designs.base import Design
 from ...designs.verdict import Verdict
@@ -18,7 +20,9 @@ from ..drawing import Paper
 from ..drawn import Drawn
 from .draft import SHEET, Draft
 from .registry import find_design
+from .transmission import NAME
 
+LARGER = 3  # round scales by which a figure of angles is drawn larger at most
 KEPT = 4  # sketches that are remembered, of problems drawn lately
 SAME = 9  # digits to which two numbers that order candidates are one
 
@@ -49,8 +53,19 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
 
 @lru_cache(maxsize=KEPT)  # whoever tries slips draws one problem a hundred times
 def _ideal(problem: Problem, paper: Paper) -> tuple[float, Draft]:
-    """The scale that a sketch tells, and what an ideal hand draws at it."""
-    sketch = _draw(problem, hand("exact"), _guess(problem), None)
+    """The scale that a sketch tells, and what an ideal hand draws at it; figures on which angles alone are read are
+    drawn larger as far as those on which lengths are read are no smaller for it."""
+    found = _sized(problem, paper, LARGER)
+    if not any(isinstance(at, Pane) and at.name.startswith(NAME) for at in found[1].board.scales):
+        return found
+    plain = _sized(problem, paper, 0)
+    fewer = (_sized(problem, paper, steps) for steps in range(LARGER - 1, 0, -1))
+    return next((one for one in chain((found,), fewer) if one[0] <= plain[0]), plain)
+
+
+def _sized(problem: Problem, paper: Paper, steps: int) -> tuple[float, Draft]:
+    """The same with figures of angles so many round scales larger."""
+    sketch = _draw(problem, hand("exact"), _guess(problem), None, steps=steps)
     scale = _scale(problem, sketch, _guess(problem), paper)
     ideal = _draw(problem, hand("exact"), scale, sketch)
     if (better := _scale(problem, ideal, scale, paper)) != scale:  # seen at its size, it may fill the sheet otherwise
@@ -63,7 +78,9 @@ def _design(problem: Problem) -> Design:
     return problem.subject
 
 
-def _draw(problem: Problem, by: Hand, scale: float, sketch: Draft | None, amended: Amended = AS_DRAWN) -> Draft:
+def _draw(
+    problem: Problem, by: Hand, scale: float, sketch: Draft | None, amended: Amended = AS_DRAWN, steps: int = 0
+) -> Draft:
     """The construction; its candidates have the numbers that a sketch tells."""
     design = _design(problem)
     draft = Draft(
@@ -72,6 +89,7 @@ def _draw(problem: Problem, by: Hand, scale: float, sketch: Draft | None, amende
         sketched=() if sketch is None else tuple(sketch.found),
         valid=0 if sketch is None else sum(one.verdict is Verdict.VALID for one in sketch.found),
         take=design.take,
+        steps=steps if sketch is None else sketch.steps,
         asked=frozenset(ask.rel.key for ask in problem.asks),
     )
     find_design(design).draw(draft, design)

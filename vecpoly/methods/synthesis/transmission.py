@@ -9,11 +9,13 @@ import numpy as np
 
 from ...algebra.formula import Row, Txt, named
 from ...algebra.quantity import Quantity
-from ...board.construction import View
+from ...board.construction import Scale, View
 from ...board.paper.marks import Dot, Role
+from ...board.paper.scales import finer
 from ...board.place import Pane
 from ...designs.quantities import AD, CD, GAMMA_MIN
 from ...diagram.single import pivot as ground
+from ...foundation.slotted import replace
 from ...names import Named
 from ...plane import Points, Reals, nominal, unit
 from ...words import Words
@@ -22,8 +24,10 @@ from .draft import Draft
 from .linkage import crank_circle
 from .touching import third
 
+NAME = "gamma"  # of the figure, before the number of the solution
 RIGHT = 90.0  # deg
 BEYOND = 14.0  # mm of the coupler's line beyond C
+SHORT, LONG = 50.0, 70.0  # mm: links so short have a scale of their own, at which they are no longer than this
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,12 +46,15 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
     """γ = ∠BCD, or 180° − ∠BCD where that is obtuse, at B′ on AD and at B″ on DA produced; the lesser is γ_min."""
     board, n = draft.board, draft.number
     which = Words.same("") if draft.alone else Words(f"（解 {n}）", f" (solution {n})")
-    place = board.open_pane(View.MECHANISM, f"gamma {n}", Words("最小传动角", "Least transmission angle") + which)
+    title = Words("最小传动角", "Least transmission angle") + which
+    place = board.open_pane(View.MECHANISM, f"{NAME} {n}", title, _scale(draft, crank, coupler))
+    to = _told(draft, place)
     board.step(
         Words(
-            "最小传动角出现在曲柄与机架共线的两位置之一。按各杆长度作此两位置，量 $∠BCD$；若为钝角，取其补角。",
+            f"最小传动角出现在曲柄与机架共线的两位置之一。按各杆长度{to.zh}作此两位置，量 $∠BCD$；若为钝角，取其补角。",
             "The transmission angle is least in one of the two positions in which the crank is in line with the "
-            "frame. Draw both with the lengths of the links and read $∠BCD$; of an obtuse one take the supplement.",
+            f"frame. Draw both with the lengths of the links{to.en} and read $∠BCD$; of an obtuse one take the "
+            "supplement.",
         ),
         place,
         again=Words(
@@ -55,7 +62,7 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
             f"Draw these two positions with the lengths of solution {n}, too, and read the transmission angles:",
         ),
     )
-    frame = _mm(draft, AD)
+    frame = _mm(draft, place, AD)
     a = board.locate(place, "A", 0j)
     d = board.locate(place, "D", board.lay_off(a, 1 + 0j, frame))
     both = [_extreme(draft, place, (a, d), crank, coupler, side) for side in (1, -1)]
@@ -66,9 +73,34 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
         _marked(draft, place, d, one)
 
 
-def _mm(draft: Draft, named: Named) -> Reals:
+def _scale(draft: Draft, crank: Quantity, coupler: Quantity) -> Scale | None:
+    """A finer scale of its own where links drawn to that of the sheet are short, which a large circle may tell; None:
+    that of the sheet. Another solution has the scale of the first."""
+    board, mu = draft.board, draft.board.scale_of(View.MECHANISM)
+    earlier = (Pane(View.MECHANISM, f"{NAME} {one.number}") for one in draft.found)
+    if (first := next((board.scales[one] for one in earlier if one in board.scales), None)) is not None:
+        return first
+    long = max(float(nominal(one)) * 1e-3 for one in (draft.own(AD) + crank.value, coupler.value, draft.own(CD)))
+    if long / mu.value >= SHORT:
+        return None
+    value = mu.value
+    for _ in range(draft.steps):
+        value = finer(value) if long / finer(value) <= LONG else value
+    return None if value == mu.value else replace(mu, value=value)
+
+
+def _told(draft: Draft, place: Pane) -> Words:
+    """By which scale the figure is drawn, where it is one of its own."""
+    mu, own = draft.board.scale_of(View.MECHANISM), draft.board.scale_of(place)
+    if own.value == mu.value:
+        return Words.same("")
+    told = f"${own.symbol} = {own.value:g}$ m/mm"
+    return Words(f"（另取比例尺 {told}）", f" to the scale {told}")
+
+
+def _mm(draft: Draft, place: Pane, named: Named) -> Reals:
     """A length found, or given, on paper."""
-    return draft.own(named) * 1e-3 / draft.board.scale_of(View.MECHANISM).value
+    return draft.own(named) * 1e-3 / draft.board.scale_of(place).value
 
 
 def _extreme(
@@ -78,7 +110,7 @@ def _extreme(
     board, (a, d), marks = draft.board, ends, "′" if side > 0 else "″"
     per_mm = 1e-3 / board.scale_of(place).value
     b = board.locate(place, f"B{marks}", board.lay_off(a, side + 0j, crank.value * per_mm))
-    c = third(board, b, coupler.value * per_mm, d, _mm(draft, CD), f"C{marks}")
+    c = third(board, b, coupler.value * per_mm, d, _mm(draft, place, CD), f"C{marks}")
     c = board.locate(place, f"C{marks}", board.either(c))
     angle = draft.angle(c, b, d)
     gamma = np.minimum(angle, 180.0 - angle)

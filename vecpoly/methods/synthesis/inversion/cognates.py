@@ -111,8 +111,8 @@ def _triangles(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
 _CHAINS = (  # thinner than the four-bar that is given, each in lines of its own
     ("AGHF", Role.GIVEN),
     ("GEH", Role.GIVEN),
-    ("DMNF", Role.SECOND),
-    ("MEN", Role.SECOND),
+    ("DMNF", Role.OTHER),
+    ("MEN", Role.OTHER),
 )
 
 
