@@ -46,7 +46,8 @@ def rules(frame: Figure) -> list[Segment]:
 
 def test_a_length_that_is_asked_is_read_on_a_line_with_its_name_and_brought_to_its_value_by_the_scale() -> None:
     (frame, *_) = blank_of("three-positions")[0].figures
-    assert told(frame) == [text for bar in ("AB", "CD", "AD") for text in (f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "mm")]
+    asked_for = [(f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "m") for bar in ("AB", "CD", "AD")]
+    assert told(frame) == [text for one in asked_for for text in one], "μ_l is in m/mm"
     assert len(rules(frame)) == 6
 
 
