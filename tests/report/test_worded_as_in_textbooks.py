@@ -7,9 +7,21 @@ import re
 from tests.drawn_library import drawn
 from tests.each import each
 
-ODD = ("likewise, from", "add up to nothing", "as they should", "to and fro", "is the time until then", "同理，由")
-ODD += ("found anew", "换一个位置须另作", "the way in which", "it is where the two meet", "work is gained")
-ODD += ("through its own pin", "two lines meet that its")
+ODD = (
+    "likewise, from",
+    "add up to nothing",
+    "as they should",
+    "to and fro",
+    "is the time until then",
+    "同理，由",
+    "found anew",
+    "换一个位置须另作",
+    "the way in which",
+    "it is where the two meet",
+    "work is gained",
+    "through its own pin",
+    "two lines meet that its",
+)
 
 
 @each(["3-1d", "motor-run-up", "press-flywheel", "cam-moves-flat-arm", "2-6red"])
