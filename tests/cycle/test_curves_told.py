@@ -206,3 +206,8 @@ def test_the_name_of_the_usual_bound_stands_on_no_curve(name: str) -> None:
     curve = max(at.get_lines(), key=lambda line: np.size(line.get_xdata()))
     x, y = at.transData.transform(curve.get_xydata()).T
     assert not np.any((x > right - box.width) & (x < right) & (y > low) & (y < low + box.ascent))
+
+
+def test_the_letters_of_a_bar_in_a_caption_are_symbols() -> None:
+    told = turned("3-12").info("phi_2").words
+    assert "（$BC$ 的方向）" in told.zh and "(direction $BC$)" in told.en

@@ -12,12 +12,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.cam_cases import agree, device
+from tests.drawn_library import drawn
 from tests.flywheels import CASES
 from tests.laws import few, often
-from vecpoly.board.paper.marks import Point
+from vecpoly.board.paper.marks import Hatched, Note, Point, Segment
 from vecpoly.devices.base import Device
 from vecpoly.devices.dynamics.characteristic import Kloss
 from vecpoly.errors import NotAskedError
+from vecpoly.figures import View
+from vecpoly.figures.characteristic import INVERSE, SPEED
 from vecpoly.methods.diagrams.strip import root, strips
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load
@@ -219,3 +222,19 @@ def test_the_ends_of_every_length_measured_stand_in_the_figures(name: str) -> No
     solution = solve(load(name))
     letters = {mark.label for f in solution.construction.figures for mark in f.marks if isinstance(mark, Point)}
     assert letters >= {"O", "A", "B", "S", "S′", "H", "P", "A_y", "A_φ"}
+
+
+@pytest.mark.parametrize("view", [INVERSE, SPEED])
+def test_an_area_below_a_curve_is_closed_by_the_ordinate_of_its_end(view: View) -> None:
+    (figure,) = (one for one in drawn("motor-run-up").construction.figures if one.view is view)
+    (hatched,) = (mark for mark in figure.marks if isinstance(mark, Hatched))
+    right = max(one.real for one in hatched.points)
+    closing = [one for one in figure.marks if isinstance(one, Segment) and one.a.real == one.b.real == right]
+    assert [one.a.imag for one in closing] == [0.0] and closing[0].b in hatched.points
+
+
+@pytest.mark.parametrize(("view", "letters"), [(INVERSE, "ω/(rad/s)"), (SPEED, "t/s")])
+def test_the_unit_stands_behind_the_letter_of_an_axis_and_at_none_of_its_numbers(view: View, letters: str) -> None:
+    (figure,) = (one for one in drawn("motor-run-up").construction.figures if one.view is view)
+    assert letters in {one.label for one in figure.marks if isinstance(one, Point)}
+    assert all(float(one.words.en) for one in figure.marks if isinstance(one, Note))

@@ -181,7 +181,7 @@ def test_a_hole_has_its_diameter_and_a_keyway_is_a_rectangle() -> None:
 def test_a_joint_that_went_with_a_group_is_explained() -> None:
     figures = drawn("2-13").construction.figures
     assert any(mark.dot is Dot.POINT for one in figures for mark in one.marks if isinstance(mark, Point))
-    assert "joint taken off before" in {one.words.en for one in entries(figures, "en")}
+    assert "joint removed with an earlier group" in {one.words.en for one in entries(figures, "en")}
 
 
 SIDES = st.floats(20.0, 90.0)

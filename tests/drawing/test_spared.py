@@ -92,3 +92,13 @@ def test_numbers_along_a_curve_that_find_no_place_are_left_to_their_neighbours_a
     crowd = figure(*(Point(at=z, label=f"{letter}{n}", dot=Dot.POINT) for n, z in enumerate(at)))
     told = [text_of(one) for one in drawing(crowd).labels]
     assert (len(told) < len(at)) is (not letter) and len(told) > 5
+
+
+@pytest.mark.parametrize(("other", "said"), [("γ′ = 40.1°", "γ″=20.25°"), ("θ = 40.1°", "γ″")])
+def test_an_angle_in_a_crowd_keeps_its_value_where_a_like_one_has_its_own(other: str, said: str) -> None:
+    crowded = _angled(24)
+    angle, *rest = crowded.marks
+    assert isinstance(angle, AngleMark)
+    like = replace(angle, at=200 + 0j, label=other)
+    labels = drawing(replace(crowded, marks=(replace(angle, label="γ′′ = 20.25°"), like, *rest))).labels
+    assert {text_of(one) for one in labels if one.want.thing is Thing.ARC} == {said, other.replace(" ", "")}

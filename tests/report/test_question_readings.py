@@ -12,7 +12,7 @@ from tests.each import Later, each
 from tests.laws import few
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
-from vecpoly.board.paper.marks import Arc, Dot, Note, Outline, Point, Segment
+from vecpoly.board.paper.marks import Arc, Dot, Note, Outline, Point, Segment, Vector
 from vecpoly.drawing.figure import draw_figure
 from vecpoly.drawing.scene import TextBox
 from vecpoly.drawing.sheets.sheet import Hung
@@ -21,6 +21,7 @@ from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.framed.aligned import CLOSE, aligned
 from vecpoly.report.question.framed.fields import KEY
 from vecpoly.report.question.framed.frames import frames
+from vecpoly.report.question.framed.origin import ORIGIN
 from vecpoly.report.question.framed.readings import READ
 from vecpoly.report.statement.asked import asked
 
@@ -46,13 +47,23 @@ def rules(frame: Figure) -> list[Segment]:
 
 def test_a_length_that_is_asked_is_read_on_a_line_with_its_name_and_brought_to_its_value_by_the_scale() -> None:
     (frame, *_) = blank_of("three-positions")[0].figures
-    assert told(frame) == [text for bar in ("AB", "CD", "AD") for text in (f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "mm")]
+    asked_for = [(f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "m") for bar in ("AB", "CD", "AD")]
+    assert told(frame) == [text for one in asked_for for text in one], "μ_l is in m/mm"
     assert len(rules(frame)) == 6
 
 
 def test_an_angle_that_is_asked_has_its_degrees_and_no_scale() -> None:
     frame = next(one for one in blank_of("4-2")[0].figures if one.name == "limits")
     assert told(frame) == ["$φ_{lim}$ =", "°", "$φ'_{lim}$ =", "°"]
+
+
+@pytest.mark.parametrize("name", ["3-1f", "3-1a"])
+def test_a_frame_off_which_coordinates_are_read_shows_where_they_begin(name: str) -> None:
+    for frame in blank_of(name)[0].figures:
+        letters = [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == ORIGIN]
+        axes = [mark for mark in frame.marks if isinstance(mark, Vector) and mark.key == ORIGIN]
+        assert letters == (["$x$", "$y$"] if Y in told(frame) else [])
+        assert all(one.a == 0j for one in axes) and len(axes) == len(letters)
 
 
 @each(DRAWN)

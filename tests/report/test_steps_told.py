@@ -69,7 +69,7 @@ def test_like_steps_share_a_table_and_their_remarks_stand_over_it() -> None:
     table = objects.named[run["table"]]
     assert isinstance(table, DataTable) and [row[0] for row in table.rows] == [str(n) for n in range(8, 15)]
     assert table.rows[0] == ("8", "$P_{26}$", "126", "$P_{12}P_{16}$", "236", "$P_{23}^{∞}P_{36}$")
-    assert run["n"] == 8 and "$P_{46}$: these lines meet at a small angle, too" in run["words"]
+    assert run["n"] == 8 and "$P_{46}$: these lines also meet at a small angle" in run["words"]
     assert [step["n"] for step in told] == list(range(1, 9)), "the numbers of the steps are in the table"
 
 

@@ -173,7 +173,9 @@ def _gamma_words(mech: Mechanism, name: str) -> Words:
 
 def _angle_words(mech: Mechanism, name: str) -> Words:
     letters = mech.link(name).axis
-    said = f"{letters[0]}{letters[1]}" if len(letters) == 2 else ""
+    parts = (subscripted(letter).partition("_") for letter in letters)
+    bar = "".join(f"{letter}_{{{index}}}" if index else letter for letter, _, index in parts)
+    said = f"${bar}$" if len(letters) == 2 else ""
     return Words(
         f"构件 {name} 的转角" + (f"（{said} 的方向）" if said else ""),
         f"angle of link {name}" + (f" (direction {said})" if said else ""),

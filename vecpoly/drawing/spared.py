@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 
+from ..typeset.box import Glyphs
 from .labels.want import Thing
 from .weighing.placed import BAD, Placed
 
@@ -18,13 +19,20 @@ MEET = 2.5  # mm between the feet of direction lines that meet in one point
 
 def relieved(placed: Mapping[int, Placed], *, polygon: bool, farther: bool) -> tuple[frozenset[int], frozenset[int]]:
     """Which labels are left out: names of directions that crowd a polygon, and numbers of a series that find no place
-    farther off either; and which say less: angles whose values would stand far off, or in a crowd, on a leader."""
+    farther off either; and which say less: angles whose values would stand far off, or in a crowd, on a leader, save
+    where a like one keeps its value: γ′ = 48.6° asks for that of γ″."""
     left_out = _spared(placed) if polygon else frozenset[int]()
     left_out |= _numbers_astray(placed) if farther else frozenset[int]()
     if len(placed) <= FEW:
         return left_out, frozenset()
     brief = frozenset(i for i, one in placed.items() if i not in left_out and _tells_too_much(one, placed.values()))
-    return left_out, brief
+    told = {_letter(one) for i, one in placed.items() if one.want.brief and i not in brief}
+    return left_out, frozenset(i for i in brief if _letter(placed[i]) not in told)
+
+
+def _letter(label: Placed) -> str:
+    """The letter of an angle, without primes and indices."""
+    return next((item.text[:1] for item in label.want.brief[0].box.items if isinstance(item, Glyphs)), "")
 
 
 def _numbers_astray(placed: Mapping[int, Placed]) -> frozenset[int]:

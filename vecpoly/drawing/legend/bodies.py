@@ -86,7 +86,11 @@ BODIES: tuple[Kind, ...] = (
     Kind(words=Words("平衡质量", "balancing mass"), met=is_mass(Arc), sample=_mass),
     Kind(words=Words("原有的孔、键槽", "hole or keyway it has"), met=is_void, sample=_ring),
     Kind(words=Words("去重孔、负质量", "hole to drill, negative mass"), met=bored, sample=_mass),
-    Kind(words=Words("随杆组拆去的转动副", "joint taken off before"), met=taken_off, sample=pinned(Dot.POINT)),
+    Kind(
+        words=Words("已随杆组拆去的转动副", "joint removed with an earlier group"),
+        met=taken_off,
+        sample=pinned(Dot.POINT),
+    ),
     Kind(words=Words("功率流向", "flow of power"), met=is_flow, sample=lambda _: arrow(Role.GIVEN), plain=True),
     Kind(words=Words("许用不平衡量", "allowed unbalance"), met=allowed, sample=line),
     Kind(

@@ -32,13 +32,15 @@ class Axes:
 
 def draw_axes(board: Board, place: Place, axes: Axes, ticks: Iterable[tuple[float, str]]) -> None:
     """Both axes with their letters; ticks: how far to the right (mm), and what is written there: below the axis, or
-    above it where the curve lies mostly below. Where there are some, the upright axis has round numbers too."""
+    above it where the curve lies mostly below. Where there are some, the upright axis has round numbers too; numbers
+    without a unit have it behind the letter of their axis."""
     right, top = axes.wide + BEYOND + 0j, 1j * (axes.high + BEYOND)
     bottom = 1j * (axes.low - BEYOND / 2) if axes.low < 0 else 0j
     board.arrow(place, 0j, right, Role.DIRECTION)
     board.arrow(place, bottom, top, Role.DIRECTION)
-    board.plot(place, right, axes.across, Dot.NONE)
     ticks, scale = [*ticks], board.scale_of(place)
+    along = scale.right.unit if ticks and ticks[0][1][-1].isdigit() else ""
+    board.plot(place, right, f"{axes.across}/{braced(along)}" if along else axes.across, Dot.NONE)
     board.plot(place, top, f"{axes.up}/{braced(scale.unit)}" if ticks and scale.unit else axes.up, Dot.NONE)
     for level, text in _levels(axes, scale.value) if ticks else ():
         board.join(place, level * 1j - TICK, level * 1j + TICK, Role.CONSTRUCTION)

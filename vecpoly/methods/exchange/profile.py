@@ -183,23 +183,30 @@ def _outline(profile: CamProfile) -> tuple[complex, ...]:
     return tuple(complex(spot) for edge in outlined(board, cam, EVERY) for spot in edge)
 
 
+def _curve(profile: CamProfile) -> Words:
+    """Whose curvature counts: that of the profile under a face, else of the curve of the follower's tip."""
+    from ...devices.cams.cam import Cam
+
+    flat = isinstance(profile.cam, Cam) and profile.cam.follower.flat
+    return Words("廓线", "profile") if flat else Words("理论廓线", "pitch curve")
+
+
 def _told(profile: CamProfile, found: Osculating, turn: float) -> Words:
-    k, t, link = profile.centre, profile.point, profile.link
+    k, t, link, curve = profile.centre, profile.point, profile.link, _curve(profile)
     size = number(1e3 * abs(found.radius))
     hollow = Words("（内凹）", " (hollow)") if found.radius < 0 else Words("", "")
     return (
         Words(
             f"凸轮 {link} 的廓线用反转法作出，转到 $φ_{link}$ = {number(degrees(turn))}°；过接触点 ${t}$ 的公法线上，"
-            "用哈特曼法作得曲率中心"
-            f" ${k}$（从动件一侧曲线的曲率半径 $ρ$ = {size} mm",
+            f"用哈特曼法作得曲率中心 ${k}$（{curve.zh}在该处的曲率半径 $ρ$ = {size} mm",
             f"The profile of cam {link} is drawn by inversion and turned to $φ_{link}$ = {number(degrees(turn))}°. "
-            f"Hartmann's construction gives the centre of curvature ${k}$ on the common normal through ${t}$ ($ρ$ = "
-            f"{size} mm to the follower's tip",
+            f"Hartmann's construction gives the centre of curvature ${k}$ on the common normal through ${t}$ (radius "
+            f"of curvature of the {curve.en} there: $ρ$ = {size} mm",
         )
         + hollow
         + Words(
-            "）。以密切圆代替廓线：此瞬时的位置、速度和加速度不变，换一个位置须另作。",
-            "). The osculating circle takes the place of the profile: position, velocity and acceleration are the same "
-            "at this instant; for another place it is found anew.",
+            "）。以密切圆代替廓线：此瞬时的位置、速度和加速度不变；对其他位置须重新作图。",
+            "). The osculating circle replaces the profile: position, velocity and acceleration are the same at this "
+            "instant; for any other position it must be constructed again.",
         )
     )

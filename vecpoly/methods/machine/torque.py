@@ -106,10 +106,11 @@ def _constant(period: Period, pane: Pane, loads: Graph, named: Named, *, drives:
     board, symbol = period.board, named.symbol
     board.step(
         Words(
-            f"一个周期 $OT$ 内驱动功等于阻力功：量出曲线与 $φ$ 轴之间的面积 $S$（轴下为负），化为等面积的矩形，其高即"
+            "一个周期内驱动功等于阻力功：量出曲线与 $φ$ 轴之间的面积 $S$（轴下为负）和周期的长度 $OT$，等面积矩形的高即"
             f"为 ${symbol}$。",
-            "Over the period $OT$ the work given equals the work taken: measure the area $S$ between the curve and "
-            f"the $φ$ axis (negative below it) and make it a rectangle; its height is ${symbol}$.",
+            "Over the period $OT$ the work of the driving moment equals that of the resisting moment. Measure the area "
+            "$S$ between the curve and the $φ$ axis (negative below it); the rectangle of the same area over $OT$ has "
+            f"the height ${symbol}$.",
         ),
         pane,
     )
@@ -129,8 +130,9 @@ def draw_surplus(period: Period, sizes: Sizes, moments: Moments) -> Quantity:
         Words(
             "驱动力矩大于阻力矩处为盈功，反之为亏功；量出各块面积，乘以 $μ_A$ = $μ_M$ $μ_φ$（$μ_φ$ 以弧度计）得"
             "盈亏功。",
-            "Where the driving moment is the greater, work is gained, elsewhere it is lost: measure the areas and "
-            "multiply them by $μ_A$ = $μ_M$ $μ_φ$ ($μ_φ$ in radians).",
+            "Where the driving moment is greater than the resisting moment there is a surplus of work, elsewhere a "
+            "deficit. Measure the areas between the curves and multiply them by $μ_A$ = $μ_M$ $μ_φ$ ($μ_φ$ in "
+            "radians).",
         ),
         pane,
     )
@@ -175,11 +177,11 @@ def _bar(period: Period, sizes: Sizes, works: tuple[Reals, ...], letters: tuple[
     pane = board.open_pane(INDICATOR, "indicator", BAR, sizes.indicator, aside=True)
     board.step(
         Words(
-            "作能量指示图：自基线起依次向上（盈）、向下（亏）画出各功，终点回到基线；最高点处动能最大，最低点处最小，"
-            "两者之差即最大盈亏功。",
-            "In the energy-fluctuation diagram draw the works one after the other from the base line, up where work is "
-            "gained, down where it is lost, back to the base line. The energy is greatest at the highest point and "
-            "least at the lowest; between them is the greatest surplus.",
+            "作能量指示图：自基线起依次画出各盈亏功，盈功向上，亏功向下，终点回到基线。最高点处动能最大，最低点处动能"
+            "最小，两者之差即最大盈亏功。",
+            "Draw the energy-fluctuation diagram: beginning at the base line, lay off the works one after the other, "
+            "surpluses upwards and deficits downwards; the last one ends on the base line. The kinetic energy is "
+            "greatest at the highest point and least at the lowest; their difference is the greatest surplus of work.",
         ),
         pane,
     )

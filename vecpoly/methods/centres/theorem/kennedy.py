@@ -20,17 +20,18 @@ from .search import GOOD, Search, Way, found
 
 _HEAD = tuple(Words(zh, en) for zh, en in (("瞬心", "Centre"), *(("三角形", "Triangle"), ("连线", "Line")) * 2))
 _LEAD = Words(
-    "同理求其余瞬心：每个瞬心为两条连线的交点，连线由它所在的三角形给出（多于两个时取交角最有利的两条）；"
-    "含 $P^{∞}$ 的连线指向该无穷远点。",
-    "Likewise the other centres: each is where two lines meet that its triangles give (of more than two, the pair that "
-    "crosses best); a line with a $P^{∞}$ leads towards that point at infinity.",
+    "同理求其余瞬心：由三心定理，瞬心所在的两个三角形各给出一条连线，两连线的交点即为该瞬心；三角形多于两个时，取交角最"
+    "有利的两条连线；含 $P^{∞}$ 的连线指向该无穷远点。",
+    "The remaining centres follow in the same way from the theorem of Kennedy and Aronhold: each is the intersection "
+    "of the two lines given by two of its triangles. Where there are more than two triangles, the lines that "
+    "cross best are taken; a line with a $P^{∞}$ is drawn towards that point at infinity.",
 )
 _SMALL = Words(
     "两线交角很小，交点不易准确。", " The lines meet at a small angle; their intersection is poorly defined."
 )
 _BEST = Words(
-    "此两线的交角也小，但在可用的各对直线中最好。",
-    " These lines meet at a small angle, too, but are the best pair there is.",
+    "此两线的交角也小，但在可用的各对直线中已属最好。",
+    " These lines also meet at a small angle, but no other pair is better.",
 )
 
 
@@ -174,7 +175,7 @@ def _where(fig: CentreFigure, search: Search) -> Words:
                 f": {p} is at infinity, in the direction of that other line.",
             )
         return Words(f"；两线平行，{p} 在无穷远处。", f"; they are parallel, and {p} is at infinity.")
-    return Words(f"，两线的交点即为 {p}。", "; it is where the two meet.")
+    return Words(f"，两线的交点即为 {p}。", "; it is their intersection.")
 
 
 def _remarks(fig: CentreFigure, search: Search, here: Centre, *, best: bool) -> None:

@@ -33,8 +33,8 @@ class Spot:
 
     @property
     def told(self) -> str:
-        """Its angle in degrees, as a place is told that was found by trial: to a millionth."""
-        return number(round(degrees(self.phi), 6) + 0.0)
+        """Its angle in degrees, as a place is told that was found by trial: to 0.1°, as a protractor is read."""
+        return number(round(degrees(self.phi), 1) + 0.0)
 
 
 def best(board: Board, place: View, pieces: Iterable[Piece], merit: Merit) -> Spot:

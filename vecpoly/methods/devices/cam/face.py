@@ -78,9 +78,9 @@ def _told(cam: Cam, spot: Spot) -> Words:
             "的换位速度沿平底的分量 $u′$ "
             "除以平底对凸轮的角速度 $ω_r$，得法线上的曲率中心 $K$：$PK$ = $u′$/$ω_r$。切点 $B$ 到 $K$ 的距离：",
             "The instant centre $P$ divides $OA$ as $OP$ : $PA$ = d$ψ$/d$φ$ : 1; the normal is the perpendicular from "
-            "$P$ on the face and meets it in the contact $B$. The part $u′$ of P's own velocity along the face, over "
-            "the face's angular velocity $ω_r$ against the cam, gives the centre of curvature $K$ on the normal, $PK$ "
-            "= $u′$/$ω_r$. Its distance from $B$:",
+            "$P$ to the face and meets it at the point of contact $B$. The velocity with which $P$ itself moves has "
+            "the component $u′$ along the face; divided by the angular velocity $ω_r$ of the face relative to the cam "
+            "it gives the centre of curvature $K$ on the normal, $PK$ = $u′$/$ω_r$. The distance of $K$ from $B$ is:",
         )
     return opened + Words(
         "法线平行于导路且过瞬心 $P$（$OP$ = d$s$/d$φ$），曲率中心 $K$ 在其上，$PK$ = d²$s$/d$φ$²（加速度向外时在 $P$ "

@@ -15,8 +15,8 @@ GIVEN = Words(
 AREAS = Words(
     "$M_d$ 与 $M_r$ 的交点顺次标以字母。$M_d > M_r$ 处为盈功（斜线右上），$M_d < M_r$ 处为亏功（斜线右下）。"
     "量出各块面积，乘以 $μ_A$（$μ_{φ}$ 须以弧度计）。",
-    "Letter the points where $M_d$ and $M_r$ meet. Where $M_d > M_r$ work is gained (hatched upwards to the right), "
-    "where $M_d < M_r$ it is lost. Measure the areas and multiply by $μ_A$ ($μ_{φ}$ in radians).",
+    "Letter the points where $M_d$ and $M_r$ meet. Where $M_d > M_r$ there is a surplus of work (hatched upwards to "
+    "the right), where $M_d < M_r$ a deficit. Measure the areas and multiply by $μ_A$ ($μ_{φ}$ in radians).",
 )
 
 
@@ -75,8 +75,8 @@ def read_off_bar(top: str, bottom: str, between: float) -> Words:
 BAR_SECTION = Words("能量指示图", "Energy-fluctuation diagram")
 BAR = Words(
     "取能量比例尺 $μ_E$，从基线起顺次画各功：盈功向上，亏功向下；一个周期后应回到基线。",
-    "Choose a scale $μ_E$. From the base line draw the works one after the other, upwards where work is gained and "
-    "downwards where it is lost; after a period they come back to the base line.",
+    "Choose a scale $μ_E$. Beginning at the base line, lay off the works one after the other, surpluses upwards and "
+    "deficits downwards; after a period the last one ends on the base line.",
 )
 INERTIA_SECTION = Words("飞轮的转动惯量", "Moment of inertia of the flywheel")
 UNEVEN_SECTION = Words("速度不均匀系数", "Coefficient of speed fluctuation")

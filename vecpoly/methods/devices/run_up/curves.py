@@ -83,6 +83,7 @@ def inverse_curve(bench: Bench, device: RunUp, course: Course, shift: Reals) -> 
     axes = Axes(wide=course.last / scale.right.value, low=0.0, high=_highest(outline), across="ω", up="y")
     draw_axes(board, place, axes, _ticks(course.last, scale.right.value))
     board.curve(place, [first, *tops, last], Role.RESULT)
+    board.join(place, outline[1], last, Role.CONSTRUCTION)  # the speed at the end closes the area
     board.hatch(place, outline, rising=True)
     board.plot(place, middle_of(outline), "A_y", Dot.NONE)
     true = summed([1.0] * len(parts), parts) + shift * last.imag / scale.right.value
@@ -133,9 +134,10 @@ def speed_curve(
         board,
         place,
         Axes(wide=wide, low=0.0, high=course.high / scale.value, across="t", up="ω"),
-        _ticks(wide * scale.right.value, scale.right.value, " s"),
+        _ticks(wide * scale.right.value, scale.right.value),
     )
     board.curve(place, points, Role.RESULT)
+    board.join(place, outline[1], points[-1], Role.CONSTRUCTION)  # the time of the run closes the area
     board.hatch(place, outline, rising=True)
     board.plot(place, middle_of(outline), "A_φ", Dot.NONE)
     area = board.area(place, outline, "A_φ", curved=whole)
@@ -206,11 +208,11 @@ def _tabulate(bench: Bench, device: RunUp, course: Course) -> None:
     bench.board.tabulate(Listing(head=tuple(HEAD[k] for k in kept), rows=rows, blocks=1))
 
 
-def _ticks(most: float, mu: float, unit: str = "") -> list[tuple[float, str]]:
+def _ticks(most: float, mu: float) -> list[tuple[float, str]]:
     """Round values along an axis."""
     power = 10.0 ** np.floor(np.log10(most / TICKS))
     step = next(power * one for one in (1, 2, 5, 10) if power * one >= most / TICKS * 0.999)
-    return [(step * n / mu, f"{step * n:.6g}{unit}") for n in range(1, int(most / step + 1e-9) + 1)]
+    return [(step * n / mu, f"{step * n:.6g}") for n in range(1, int(most / step + 1e-9) + 1)]
 
 
 def _pane(bench: Bench, device: RunUp, course: Course, view: View) -> Pane:

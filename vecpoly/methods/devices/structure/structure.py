@@ -171,9 +171,8 @@ def _local(bench: Bench, device: Structure, found: Count) -> Quantity:
     else:
         bench.board.step(
             Words(
-                "没有公法线通过自身转动中心的滚子，无局部自由度：",
-                "There is no roller whose common normal passes through its own pin, and so there is no passive degree "
-                "of freedom:",
+                "没有绕自身轴线空转的滚子，无局部自由度：",
+                "No roller turns freely about its own axis, so there is no passive (local) degree of freedom:",
             )
         )
     return bench.stated(F_LOCAL, float(len(found.rollers)))
@@ -186,7 +185,7 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         board.step(
             Words(
                 "没有对运动重复起作用的部分，无虚约束：",
-                "No part repeats what others constrain already, so there are no redundant constraints:",
+                "No part repeats the constraint of another, so there are no redundant constraints:",
             )
         )
         return bench.stated(P_REDUNDANT, 0.0)

@@ -40,8 +40,8 @@ def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
                 desk.board.remark(
                     Words(
                         "公法线与从动件受力点运动方向所夹的锐角 $α$ 为压力角。",
-                        " The acute angle $α$ between the common normal and the way in "
-                        "which the follower can go is the pressure angle.",
+                        " The acute angle $α$ between the common normal and the direction of motion of the follower "
+                        "at the contact point is the pressure angle.",
                     )
                 )
 

@@ -104,7 +104,7 @@ def _kinds(sheet: Sheet) -> Iterator[tuple[Words, Words]]:
             aside = abs(((c - a) / loop.along).imag) > NO_OFFSET
             terms = f"$l_{{{loop.a}{loop.b}}}{' + e' * aside}$ {sign} $l_{{{loop.b}{loop.c}}}$"
             e = (
-                Words(f"，$e$ 为 ${loop.a}$ 到导路的距离", f", $e$ the distance of ${loop.a}$ from the guide")
+                Words(f"，$e$ 为 ${loop.a}$ 到导路的距离", f", where $e$ is the distance of ${loop.a}$ from the guide")
                 if aside
                 else Words("", "")
             )

@@ -52,7 +52,7 @@ def _told(plan: Plan) -> Words:
     if plan.slides:
         letters = "、".join(f"${slide.letter}$" for slide in plan.slides)
         zh.append(f"滑块铰链 {letters} 的各位置、")
-        en.append(f"the places of the slider's pin {letters.replace('、', ', ')}, ")
+        en.append(f"the positions of the slider's pin {letters.replace('、', ', ')}, ")
     for body in plan.bodies:
         marks = _lines(plan, body)
         said = _LINE if _free(body) else Words("", "")

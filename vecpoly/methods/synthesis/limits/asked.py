@@ -20,8 +20,10 @@ from ..transmission import least_angle
 
 SOURCE = "机械原理, limit positions: crank and coupler in one line"
 
-_SWINGS = Words("$∠C_1DC_2$ 即摇杆的摆角 $ψ$，量得：", "and $∠C_1DC_2$ is the swing $ψ$ of the rocker; read them:")
-_SLIDES = Words("$C_1C_2$ 即滑块的行程 $H$，量得：", "and $C_1C_2$ is the stroke $H$ of the slider; read them:")
+_SWINGS = Words(
+    "$∠C_{1}DC_{2}$ 即摇杆的摆角 $ψ$，量得：", "and $∠C_{1}DC_{2}$ is the swing $ψ$ of the rocker; read them:"
+)
+_SLIDES = Words("$C_{1}C_{2}$ 即滑块的行程 $H$，量得：", "and $C_{1}C_{2}$ is the stroke $H$ of the slider; read them:")
 
 
 @design_method(

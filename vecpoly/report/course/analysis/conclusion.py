@@ -145,8 +145,8 @@ def _near_dead(study: Study) -> Words:
         f"{'原动件的行程有限' if slides else '原动件不能整周转动'}，接近死点（{dead.zh}）时各速度、加速度急剧增大，"
         "故工作范围端部的最大值并非极大值；机构不宜在死点附近工作。",
         f"The input link {'has a limited stroke' if slides else 'cannot make full revolutions'}, and towards its dead "
-        f"points, at {dead.en}, velocities and accelerations grow without bound: what is greatest at an end of the "
-        "working range is no maximum, and the mechanism should not work near them.",
+        f"points, at {dead.en}, velocities and accelerations grow without bound: values at the ends of the working "
+        "range are not true maxima, and the mechanism should not work near the dead points.",
     )
 
 

@@ -36,6 +36,7 @@ def across(figure: Figure, right: Vector, box: Box) -> Iterator[Mark]:
     name = next((mark.label for mark in figure.marks if isinstance(mark, Point) and mark.at == right.b), "")
     numbers, scale = dict(_written(figure, right.step)), figure.scale.right.told
     if name:
+        name = name.removesuffix(f"/{braced(scale.unit)}")
         timed = any(not text[-1].isdigit() for text in numbers.values())
         yield _named(end, name, "" if timed else scale.unit)
     for x, text in numbers.items():

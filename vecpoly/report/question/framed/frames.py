@@ -22,6 +22,7 @@ from .blank import WHITE, framed
 from .fields import Fields, fields, written
 from .grid import NARROWEST, Grid, Need, Size, grid, least_sheets, tightness
 from .known import begins_at, enlarged, is_circle, lettered, stands
+from .origin import origin
 from .readings import Form
 from .room import outline
 
@@ -183,5 +184,7 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> F
     (low, high), shown = framed(figure, (size[0], size[1] - told.above - told.below), known)
     low, high = low - 1j * told.below, high + 1j * told.above
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
+    if told.read is not None and any(one.placed for one in told.read.blanks):
+        shown += tuple(origin((low + 1j * told.below, high - 1j * told.above)))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
     return replace(figure, title=doubtful(figure.title), marks=border + shown + tuple(written(told, low, high)))

@@ -1,5 +1,5 @@
 """The lines for what is read off a figure: one with its name for each quantity that is asked, l_AB = ___ mm × μ_l =
-___ mm; where there is no room for that the length on paper alone, then one line without a name."""
+___ m, for μ_l is in m/mm; where there is no room for that the length on paper alone, then one line without a name."""
 
 from __future__ import annotations
 
@@ -25,6 +25,7 @@ _ROOM, _LONGEST, _BEHIND = 16.0, 40.0, 0.5  # mm for a number to be written: at 
 _MOST = 4  # lines in full
 _APART = 5.0  # mm between two quantities on a line
 _DEGREE = "°"
+_UNITS = {"deg": _DEGREE, "mm": "m"}  # where not as printed: mm on paper times a scale in m/mm are metres
 AWAY = "^{∞}"  # of a centre, which tells where it lies
 _READINGS = Words("量得：", "Readings:")
 BEFORE = max(layout_words(text, NOTE).width for text in (_READINGS.zh, _READINGS.en)) + GAP  # mm
@@ -142,7 +143,7 @@ def _is_place(one: Reading) -> bool:
 
 def _length(one: Reading) -> Blank:
     unit = printed_unit(one.unit)[1]
-    return Blank(one.symbol, "mm", "" if one.factor else one.scale, _DEGREE if unit == "deg" else unit)
+    return Blank(one.symbol, "mm", "" if one.factor else one.scale, _UNITS.get(unit, unit))
 
 
 def _read_on(answer: Answer | None, acts: Sequence[Act], with_: type[Gauge | Measure]) -> str:
