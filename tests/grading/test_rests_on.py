@@ -56,6 +56,5 @@ def test_a_force_that_is_no_vector_of_the_key_stands_for_its_length_where_that_w
     """η = F_0/F of the clamp is found from both lengths; who writes forces alone goes on with these."""
     own = {"F": "20", "F_0": "30"}
     assert (
-        marked("5-3", {**own, "eta": "1.5"})["eta"].is_right
-        and not marked("5-3", {**own, "eta": "4"})["eta"].is_right
+        marked("5-3", {**own, "eta": "1.5"})["eta"].is_right and not marked("5-3", {**own, "eta": "4"})["eta"].is_right
     )
