@@ -83,7 +83,7 @@ def test_the_constant_over_the_period_is_the_rectangle_under_the_moments_of_twel
     solution = drawn_exactly(slider(CUT, unknown="M_d: {on: 1, size: constant}", find="M_d, M_b"))
     torque = solution.construction.figure(view_named("torque"))
     assert torque is not None and torque.scale.across is not None
-    assert any("make it a rectangle" in step.words.en for step in solution.construction.steps)
+    assert any("the rectangle of the same area" in step.words.en for step in solution.construction.steps)
     assert solution.answers["M_d"].drawn != pytest.approx(solution.answers["M_b"].drawn, rel=0.1)
 
 

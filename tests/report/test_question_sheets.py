@@ -59,6 +59,7 @@ from vecpoly.report.question.framed.fields import FIELDS, KEY, SUMS
 from vecpoly.report.question.framed.frames import WHITES, frames
 from vecpoly.report.question.framed.grid import shares
 from vecpoly.report.question.framed.known import by_data
+from vecpoly.report.question.framed.origin import ORIGIN
 from vecpoly.report.question.kinds import kind
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.whole import whole
@@ -115,7 +116,7 @@ def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name:
     problem, data = drawn(name).problem, by_data(drawn(name).construction.acts)
     curves = isinstance(problem.subject, Flywheel | RunUp)
     for frame in blank_of(name)[0].figures:
-        inside = [mark for mark in frame.marks[4:] if mark.key not in FIELDS]
+        inside = [mark for mark in frame.marks[4:] if mark.key not in (*FIELDS, ORIGIN)]
         assert not any(re.search(r"P_\{\d", mark.label) for mark in inside if isinstance(mark, Point))
         poses = [m for m in inside if isinstance(m, Outline) or getattr(m, "role", None) in (Role.GIVEN, Role.HIDDEN)]
         assert all(mark.act in data for mark in poses)

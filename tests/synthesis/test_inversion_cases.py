@@ -76,7 +76,7 @@ def test_of_8_15_the_coupler_and_the_frame_are_wrong_in_print() -> None:
 
 def test_8_10_is_a_rocker_slider_by_its_lengths() -> None:
     told = "".join(step.words.en for step in solved(vecpoly.load("8-10")).construction.steps)
-    assert "$l_{AB} + e$ > $l_{BC}$, $e$ the distance of $A$ from the guide, $ABC$ is a rocker-slider" in told
+    assert "$l_{AB} + e$ > $l_{BC}$, where $e$ is the distance of $A$ from the guide, $ABC$ is a rocker-slider" in told
 
 
 def test_a_place_by_distance_and_a_direction_by_its_sine_are_those_of_their_coordinates() -> None:
