@@ -17,6 +17,7 @@ import pypdfium2
 import pytest
 
 from tests.at_once import exactly
+from tests.each import each
 from tests.laws import few
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Cell, Note, Outline, Role, TurnArrow, Vector
@@ -207,7 +208,7 @@ def test_a_question_shows_no_number_that_is_sought(name: str, pages) -> None:  #
                 assert shown not in said - given, answer.key
 
 
-@pytest.mark.parametrize("name", few(FORCES, 4))
+@each(few(FORCES, 4))
 def test_the_frames_of_a_question_are_empty_but_for_what_is_given(name: str) -> None:
     it = solved(name)
     for figure in frames(it.construction, it.problem)[0].figures:
