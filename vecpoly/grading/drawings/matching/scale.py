@@ -40,12 +40,11 @@ def nearer(scale: float, other: float) -> bool:
 
 
 def known(shape: Shape) -> list[complex]:
-    """The vector that is laid off first: what is laid off later may rest on what was drawn; of several short ones the
-    longest. None, where all are found by drawing."""
-    given = sorted((edge for edge in shape.edges if edge.given), key=lambda edge: edge.act)
-    return [edge.along for edge in given if abs(edge.along) >= LONG][:1] or [
-        edge.along for edge in sorted(given, key=lambda edge: -abs(edge.along))[:1]
-    ]
+    """The vector that is laid off first, for what is laid off later may rest on what was drawn: the first long one,
+    else the longest. None, where all are found by drawing."""
+    given = [edge.along for edge in sorted(shape.edges, key=lambda edge: edge.act) if edge.given]
+    first = next((one for one in given if abs(one) >= LONG), None) or max(given, key=abs, default=None)
+    return [] if first is None else [first]
 
 
 def refined(lines: Sequence[Segment], shapes: Sequence[Shape], scale: float) -> float:
