@@ -226,12 +226,17 @@ def test_the_item_analysis_counts_every_line_of_the_drawings_by_its_verdict(by_r
     assert (found["v_B (line)"].share > 0) is (rule == "given")
 
 
+def handed_in(tmp_path: Path, folder: Path, *names: str) -> Path:
+    """A folder with the first student's drawing under these names."""
+    there = tmp_path / "drawn"
+    there.mkdir()
+    for name in names:
+        (there / name).write_bytes(next(folder.glob(f"{NUMBERS[0]}*.dxf")).read_bytes())
+    return there
+
+
 def test_a_second_drawing_of_one_problem_is_refused_with_the_name_of_the_first(folder: Path, tmp_path: Path) -> None:
-    again = tmp_path / "drawn"
-    again.mkdir()
-    data = next(folder.glob(f"{NUMBERS[0]}*.dxf")).read_bytes()
-    for name in ("a", "b"):
-        (again / f"{NUMBERS[0]}_{name}_3-9.dxf").write_bytes(data)
+    again = handed_in(tmp_path, folder, *(f"{NUMBERS[0]}_{name}_3-9.dxf" for name in "ab"))
     drawn = grade_drawings(register(), Returned(), again, tmp_path, "en", silent)
     assert [one.code for one in drawn.faults] == ["twice"] and f"{NUMBERS[0]}_a_3-9.dxf" in drawn.faults[0].words.en
 
@@ -240,9 +245,7 @@ def test_a_file_that_no_reader_knows_is_told_with_whose_it_is_and_pays_by_number
     folder: Path, file: Path, tmp_path: Path
 ) -> None:
     """A DWG or a photograph was passed over without a word; beside a drawing that is read it is no matter."""
-    there = tmp_path / "drawn"
-    there.mkdir()
-    (there / f"{NUMBERS[0]}_3-9.dxf").write_bytes(next(folder.glob(f"{NUMBERS[0]}*.dxf")).read_bytes())
+    there = handed_in(tmp_path, folder, f"{NUMBERS[0]}_3-9.dxf")
     for name in (f"{NUMBERS[0]}_3-9.dwg", f"{NUMBERS[1]}_3-9.dwg", "Thumbs.db"):
         (there / name).write_bytes(b"AC1027")
     (there / f"{NUMBERS[2]}_3-9.dxf").write_text("no drawing", encoding="utf-8")
@@ -258,9 +261,7 @@ def test_a_drawing_on_which_nothing_is_of_the_problem_is_left_for_a_person(
     folder: Path, file: Path, tmp_path: Path
 ) -> None:
     """Another student's: what follows from the own lines is right by these alone."""
-    there = tmp_path / "drawn"
-    there.mkdir()
-    (there / f"{NUMBERS[2]}_3-9.dxf").write_bytes(next(folder.glob(f"{NUMBERS[0]}*.dxf")).read_bytes())
+    there = handed_in(tmp_path, folder, f"{NUMBERS[2]}_3-9.dxf")
     theirs = lines(graded(tmp_path / "out", file, drawings=there), NUMBERS[2]).values()
     assert theirs and all(one.doubt is not None and "another student's" in one.doubt.en for one in theirs)
     own = lines(graded(tmp_path / "own", file, drawings=folder), NUMBERS[0]).values()
