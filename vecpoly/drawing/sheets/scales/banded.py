@@ -25,7 +25,7 @@ def over_legend(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Map
     bare: the same figures without their details.
     """
     there = {one.of: one.scale for one in figures if one.of is not None} | dict(given)
-    best = _chosen(figures, bare, given, on)
+    best = _chosen(figures, bare, given, there, on)
     if not best:
         return best
     if _needed(figures, there | best, on, LEGEND + SURE) > 1:
@@ -34,12 +34,13 @@ def over_legend(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Map
     return {kind: found[kind] for kind in best}
 
 
-def _chosen(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Mapping[View, float], on: Paper) -> Scales:
+def _chosen(
+    figures: Sequence[Crowded], bare: Sequence[Sketched], given: Mapping[View, float], there: Scales, on: Paper
+) -> Scales:
     """Those that fill the whole sheets, or others with room for a legend."""
     best, less = (eased(figures, composed(bare, given, on, kept), given, on, kept) for kept in (0.0, LEGEND))
     if best == less or not best:
         return best
-    there = {one.of: one.scale for one in figures if one.of is not None} | dict(given)
     sheets = _needed(figures, there | best, on, 0.0)
     if _needed(figures, there | best, on, LEGEND) == sheets:
         return best
