@@ -78,7 +78,10 @@ class Statics(Rubbing):
     @property
     def without_friction(self) -> Statics:
         """The pass without friction from which this one came."""
-        return self if self.ideal is None else self.ideal.without_friction
+        first = self
+        while first.ideal is not None:
+            first = first.ideal
+        return first
 
     @property
     def unknown(self) -> Load:

@@ -18,6 +18,7 @@ _Number = TypeVar("_Number", np.complex128, np.float64)
 TOLERANCE = 1e-13
 CONTINUED = 400  # steps of λ at most
 ROUNDING = 1e-12  # a gain that is no larger is none
+NEAR = 0.02  # by what a joint's force may miss the one foreseen, of the largest of those with which it takes turns
 LOST = 1e-7  # a step of λ this small does not lead on
 
 
@@ -103,9 +104,20 @@ def _foreseen(u: Reals, rise: Reals) -> Reals:
     return np.where(share < 0.9, u / (1 - np.minimum(share, 0.9)) + np.where(u > 0, 0.0, rise), u + rise)
 
 
+def _answering(gain: Points) -> Flags:
+    """Which joints press on each other in a circle (joints × joints). A leap of such a circle shows in its own forces
+    alone: a larger one elsewhere hides it."""
+    leads: Flags = np.any(np.abs(gain) > ROUNDING, axis=2)
+    for _ in gain:
+        leads = leads | (leads @ leads)
+    circles: Flags = leads & leads.T | np.eye(len(gain), dtype=np.bool_)
+    return circles
+
+
 def _continued(base: Points, gain: Points) -> tuple[Reals, Reals]:
     """The branch that begins without friction, followed in λ; it ends where its tangent turns back or it runs off."""
     u, lam = np.abs(base), np.zeros(base.shape[1])
+    answering = _answering(gain)
     step, smooth, eye = np.full(base.shape[1], 0.25), np.ones(base.shape[1], np.bool_), np.eye(len(base))[..., None]
     for _ in range(CONTINUED):
         going = np.flatnonzero((lam < 1.0) & (step > LOST))
@@ -118,7 +130,7 @@ def _continued(base: Points, gain: Points) -> tuple[Reals, Reals]:
         guess = _foreseen(u_old, (new - lam_old) * rate)
         u_new, found = _newton(p0, g, new, guess, 8)
         _, slope = _slope(p0, g, new, u_new)
-        near = np.abs(u_new - guess).max(axis=0) <= 0.1 * np.abs(u_new).max(axis=0)
+        near = (np.abs(u_new - guess) <= NEAR * (answering[..., None] * u_new).max(axis=1)).all(axis=0)
         good = found & near & (np.linalg.det(np.moveaxis(eye - new * slope, -1, 0)) > 0)
         u[:, going[good]], lam[going[good]] = u_new[:, good], new[good]
         step[going] *= np.where(

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ....board.board import NO_LENGTH
 from ....mechanism.groups.assur import ends
-from ....mechanism.model import Prismatic, Revolute
+from ....mechanism.model import FRAME, Prismatic, Revolute
 from ....plane import Reals, nominal
+from ..acting import Acting
 from ..state import Statics
 from .secant import Couples
 
@@ -32,15 +33,27 @@ class Reached:
 
 
 def is_far(found: Statics, guide: Statics, far: float = FAR) -> bool:
-    """Whether a reaction changed by much of the largest one."""
-    sizes = [abs(complex(nominal(force.vector))) for force in found.acting.values()]
-    before = {key: guide.push(*key) for key in found.acting}
-    changes = [
-        abs(complex(nominal(force.vector - old.vector)))
+    """Whether a reaction changed by much of what its links bear; little of the largest of all is never far, for what
+    friction alone loads begins at nothing."""
+    little = min(far, CLOSE) * _largest(found.acting.values())
+    return any(
+        abs(complex(nominal(force.vector - old.vector))) > max(little, far * min(_borne(found, link) for link in key))
         for key, force in found.acting.items()
-        if (old := before[key]) is not None
-    ]
-    return max(changes, default=0.0) > far * max(sizes, default=0.0)
+        if (old := guide.push(*key)) is not None
+    )
+
+
+def _borne(st: Statics, link: str) -> float:
+    """The largest reaction on this link, beside which another is small; of a two-force link, whose reactions vanish
+    together where they change sides, and of the frame the largest of all."""
+    on = [force for key, force in st.acting.items() if link in key]
+    loaded = bool(st.loads.on(link) or st.inertia.get(link))
+    counted = on if link != FRAME and (loaded or len(on) > 2) else st.acting.values()
+    return _largest(counted)
+
+
+def _largest(forces: Iterable[Acting]) -> float:
+    return max((abs(complex(nominal(force.vector))) for force in forces), default=0.0)
 
 
 def determinant(answer: np.ndarray) -> float:

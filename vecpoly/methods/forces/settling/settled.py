@@ -95,7 +95,7 @@ def _raised(
         answering = last.answering if not answer.size else _answering(last, found, rubbed, walk, couples, answer)
         turned, far = answering * last.side <= 0, is_far(found, guide)
         leapt = turned and not far and not is_past_pole(last.answering, answering)
-        if stride >= (KINK if leapt else FINEST) and (turned or far):
+        if (turned or far) and stride >= (FINEST if turned and not leapt else KINK):
             stride = min(stride / 2, SHARE)  # too far to be sure that it is the same equilibrium, grown
             continue
         if turned and (far or (leapt and is_far(found, guide, CLOSE))):
@@ -147,7 +147,10 @@ def _fixed(
         if slope is None or moved > last / 10:  # the first secant, or one that has grown old
             slope = _slope(start, guide, rubbed, walk, couples, after) if couples else np.zeros((0, 0))
         last = moved
-        couples = secant(couples, after, slope)
+        try:
+            couples = secant(couples, after, slope)
+        except np.linalg.LinAlgError:
+            break
     raise _locked(start)
 
 
