@@ -8,10 +8,12 @@ from typing import TypeVar, get_args
 
 from ...algebra.quantity import number
 from ...mechanism.asked.centres import count
+from ...mechanism.asked.forces import load_symbol
 from ...mechanism.model import Mechanism
 from ...names import is_centre, is_place
 from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
 from ...problem.asked.checks import is_check
+from ...problem.problem import Problem
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words, bare
 from ..values import asked_load, called, curved, way_of
@@ -20,7 +22,6 @@ from .groups import Group, by_groups, parted
 from .meant import meant_by, plural
 
 _MEANT = {
-    "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
     "eta": Words("效率 {}", "the efficiency {}"),
     r"J_e\d*": Words("等效转动惯量 {}", "the equivalent moment of inertia {}"),
     r"M_e\d*": Words("等效力矩 {}", "the equivalent moment {}"),
@@ -162,7 +163,7 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
         return meant.of(lang)
     if isinstance(solution.problem.subject, Mechanism):
-        meant = of_machines(reading.key, symbol)
+        meant = of_machines(solution.problem, reading.key, symbol)
         if meant is not None:
             return meant.of(lang)
     if reading.key.endswith(_IN_LINE):
@@ -170,8 +171,14 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
 
 
-def of_machines(key: str, symbol: str) -> Words | None:
+def of_machines(problem: Problem, key: str, symbol: str) -> Words | None:
     """A quantity of a mechanism as a machine with what it is, the efficiency η; None of one without a name."""
+    if key == "h" and problem.acting is not None:
+        load = problem.acting.unknown
+        return Words(
+            f"构件 {load.link} 上与 ${load_symbol(load.name)}$ 平衡的力偶的力臂 {symbol}",
+            f"the arm {symbol} of the couple that balances ${load_symbol(load.name)}$ on link {load.link}",
+        )
     meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, key)), None)
     return None if meant is None else Words(meant.zh.format(symbol), meant.en.format(symbol))
 

@@ -114,8 +114,11 @@ def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
     if verdict is _BEYOND:
         dead = dead_points(study)
         many = len(study.facts.dead) > 1
-        lie = f"{'Dead points lie' if many else 'A dead point lies'} beyond the working range, at {dead.en}."
-        return told + Words(f"。工作范围之外，{dead.zh} 处为死点。", f". {lie}")
+        lie = f"{'The dead points' if many else 'The dead point'}, at {dead.en},"
+        return told + Words(
+            f"。死点（{dead.zh}）处行列式为零，不在工作范围之内。",
+            f". {lie} where the determinant vanishes, {'are' if many else 'is'} left out of the working range.",
+        )
     return told + Words(f"。判断：{verdict.zh}。", f". The conditioning is {verdict.en}.")
 
 
