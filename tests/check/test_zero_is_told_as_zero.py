@@ -34,7 +34,7 @@ def test_nothing_that_vanishes_is_printed_by_powers_of_ten_with_a_sense() -> Non
     solution = vecpoly.load("scissor-lift").vary(length=greatest).solve()
     for key in ("alpha_1", "alpha_2"):
         line = answer_line(solution.answers[key], solution, "en")
-        assert line.result == "0 rad/s²" and solution.answers[key].sense is None
+        assert line.result == "0 rad/s^2" and solution.answers[key].sense is None
 
 
 def test_a_small_acceleration_that_is_true_is_no_zero() -> None:

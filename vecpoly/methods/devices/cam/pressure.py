@@ -1,4 +1,4 @@
-"""The greatest pressure angles, on the rise and on the return, each drawn where trial has found it."""
+"""The maximum pressure angles, on the rise and on the return, each drawn where trial has found it."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def pressure_angles(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     found = [
         _greatest(bench, cam, cuts, *each)
         for each in (
-            (1, ALPHA_RISE, Words("推程最大压力角", "Greatest pressure angle of the rise")),
-            (-1, ALPHA_BACK, Words("回程最大压力角", "Greatest pressure angle of the return")),
+            (1, ALPHA_RISE, Words("推程最大压力角", "Maximum pressure angle of the rise")),
+            (-1, ALPHA_BACK, Words("回程最大压力角", "Maximum pressure angle of the return")),
         )
     ]
     larger = max(found, key=lambda value: float(nominal(value)))

@@ -57,7 +57,7 @@ def draw_engine(bench: Bench, engine: InlineEngine) -> None:
     stars(bench, engine)
     ratio, speed, product = _numbers(bench, engine)
     for times, order in enumerate(ORDERS, 1):
-        words = Words("一阶", "First order") if times == 1 else Words("二阶", "Second order")
+        words = Words(f"{_zh(times)}惯性力和惯性力偶", f"Forces and couples of {_en(times)} order")
         bench.board.section(words)
         factor = (speed.squared(),) if times == 1 else (ratio, speed.squared())
         _forces(bench, engine, order, times, product, factor)

@@ -46,7 +46,7 @@ def _sum(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> Polygon:
     board.step(
         Words(
             f"先看静平衡：按 ${view.mu.symbol}$ 把各质径积首尾相接，其和 $W_S$ 由极点 $O$ 指向末端。量得：",
-            f"First static balance: to the scale ${view.mu.symbol}$ lay all products off head to tail. Their sum $W_S$ "
+            f"Static balance first: to the scale ${view.mu.symbol}$ lay all products off head to tail. Their sum $W_S$ "
             "leads from the pole $O$ to the last tip. Read it off:",
         ),
         place,
@@ -61,7 +61,7 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     """W_iI = W_i (L − l_i)/L and W_iII = W_i l_i/L; overhung: one of them is negative."""
     board, unit = bench.board, rotor.weighing
     (one, first), (other, second) = rotor.correct.items()
-    board.section(Words("向两校正平面分解", "Shares of the two planes"))
+    board.section(Words("向两校正平面分解", "Resolution into the two planes"))
     over = [name for name in rotor.masses if min(share[name] for share in rotor.shares.values()) < -1e-12]
     letter = arm_letter(first.at)
     arm_told = "$z_i$" if letter == "z" else f"$l_i$ = $z_i$ − $z_{{b{one}}}$"

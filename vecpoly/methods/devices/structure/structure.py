@@ -130,7 +130,7 @@ def _compound(bench: Bench, device: Structure, found: Count, place: Pane) -> Non
 def _check(bench: Bench, found: Count) -> None:
     """The same F from the chain without rollers and redundant parts."""
     rest = found.reduced
-    zh = "并".join(["把滚子焊死"] * bool(found.rollers) + ["去掉虚约束部分"] * bool(found.repeated))
+    zh = "并".join(["把滚子与从动件固接"] * bool(found.rollers) + ["去掉虚约束部分"] * bool(found.repeated))
     en = " and ".join(
         ["the rollers welded"] * bool(found.rollers) + ["the redundant part taken away"] * bool(found.repeated)
     )

@@ -24,7 +24,7 @@ _BEYOND = Words("两端趋近死点", "towards dead points")
 _MACHINE = Words("机械的运转与平衡", "The machine in motion and its balance")
 _HEADER = {
     "zh": ["杆组", "行列式", "最小处", "最小值/最大值", "最大处", "最小传动角", "1/$sin γ$", "判断"],
-    "en": ["Group", "Determinant", "Least at", "Least/largest", "Largest at", "Least γ", "1/$sin γ$", "Verdict"],
+    "en": ["Group", "Determinant", "Minimum at", "Min/max", "Maximum at", "Min γ", "1/$sin γ$", "Verdict"],
 }
 
 

@@ -17,7 +17,7 @@ from ....words import Words
 from .stated import output_pins
 
 _EVEN, _MARKED = 1.0005, 1.05  # ratio of the strokes: from where there is a quick return, and one worth the name
-_ALIKE = 1e-6  # of the greatest value
+_ALIKE = 1e-6  # of the maximum value
 
 
 def output(study: Study, link: str) -> Iterator[Words]:
@@ -74,7 +74,7 @@ def _greatest(study: Study, found: Extremes, key: str, high: Spot, low: Spot) ->
     listed = [first, *(place.split(" = ")[1] for place in others)]
     where = Words("、".join(listed), " and ".join(listed)) if others else _placed(study, found, tops[0])
     zh, en = where.zh, where.en
-    return Words(f"$|{symbol}|$ 最大 {told}（{zh}）", f"the greatest $|{symbol}|$ is {told}, at {en}")
+    return Words(f"$|{symbol}|$ 最大 {told}（{zh}）", f"the maximum $|{symbol}|$ is {told}, at {en}")
 
 
 def _turning(study: Study, link: str) -> Words:

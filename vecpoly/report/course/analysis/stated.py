@@ -85,7 +85,7 @@ def _centres(study: Study, keys: list[str]) -> Words:
     count = len(answers)
     return Words(
         f"全部 {count} 个瞬心，位置列于 6.2" + (f"，其中 {'、'.join(far)} 在无穷远处" if far else ""),
-        f"all {count} instant centres, with their places in 6.2"
+        f"all {count} instant centres, with their positions in 6.2"
         + (f", {' and '.join(far)} at infinity" if far else ""),
     )
 

@@ -33,11 +33,12 @@ def special(study: Study) -> Iterator[Words]:
         zh, en = "、".join(f"${p}$" for p in slots), ", ".join(f"${p}$" for p in slots)
         yield Words(
             f"{zh} 处的销在槽中滑动为高副，以滑块低代，计为一个转动副和一个移动副。",
-            f"The pin in the slot at {en} is a higher pair; replaced by a block it counts as one hinge and one slide. ",
+            f"The pin in the slot at {en} is a higher pair; replaced by a block it counts as one revolute and one "
+            "prismatic joint. ",
         )
     if any(isinstance(j, Rolling) for j in mech.joints):
         yield Words(
-            "纯滚动副限制两个自由度，按低副计；两轮中心距已由构件保持者，按高副计。",
+            "纯滚动副限制两个自由度，按低副计；中心距由构件保证的齿轮副，按高副计。",
             "Pure rolling removes two degrees of freedom and counts as a lower pair; where links hold the two centres "
             "at their distance it counts as a higher pair. ",
         )
