@@ -12,6 +12,7 @@ import numpy as np
 
 from ..algebra.formula import Node
 from ..algebra.quantity import Quantity, magnitude
+from ..foundation.patterns import pattern
 from ..foundation.slotted import replace
 from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
@@ -31,6 +32,8 @@ from .said.short import Short, remarked, too_short
 from .said.spaced import spaced
 
 Found = TypeVar("Found", Points, Reals)
+
+_SYMBOL = pattern(r"\$[^$]+\$")
 
 
 class Log:
@@ -68,9 +71,10 @@ class Log:
 
     def step(self, words: Words, view: Place | None = None, *, again: Words | None = None) -> None:
         """Open the next numbered step; marks and formulas that follow belong to it.
-        again: what it says where an earlier one began with the same words."""
-        said = again if again is not None and words in self._opened else words
-        self._opened.add(words)
+        again: what it says where an earlier one began with the same words, whatever its symbols."""
+        shape = Words(_SYMBOL.sub("$", words.zh), _SYMBOL.sub("$", words.en))
+        said = again if again is not None and shape in self._opened else words
+        self._opened.add(shape)
         self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=spaced(said), view=view))
 
     def remark(self, words: Words) -> None:

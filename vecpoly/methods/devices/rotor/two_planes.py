@@ -70,7 +70,7 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
         Words(
             f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：{arm_told} 为质量 $i$ 到平面 ${one}$ 的距离，"
             f"{span_told} 为两平面的距离。",
-            f"Share every product between the planes ${one}$ and ${other}$ by the lever rule: {arm_told} is the "
+            f"Resolve every product into the planes ${one}$ and ${other}$ by the lever rule: {arm_told} is the "
             f"distance of mass $i$ from plane ${one}$, {span_told} that of the two planes.",
         )
         + _overhung(over)
@@ -107,9 +107,10 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float)
     board.step(
         Words(
             f"在平面 ${end}$ 内把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
-            f"In plane ${end}$ lay the shares off head to tail; the closing side is ${closing.symbol}$. Read it off:",
+            f"In plane ${end}$ lay the components off head to tail; the closing side is ${closing.symbol}$. Read it off:",
         ),
         place,
+        again=Words(f"同样作平面 ${end}$ 的多边形，量得：", f"Likewise for plane ${end}$:"),
     )
     polygon = chain(bench, place, laid, closing, whole)
     return polygon, read_closing(bench, polygon, closing, bearing(end))
