@@ -12,7 +12,6 @@ import numpy as np
 
 from ..algebra.formula import Node
 from ..algebra.quantity import Quantity, magnitude
-from ..foundation.patterns import pattern
 from ..foundation.slotted import replace
 from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
@@ -29,11 +28,9 @@ from .place import Pane, Place, View, view_of, views
 from .said.behind import behind
 from .said.grazing import grazing
 from .said.short import Short, remarked, too_short
-from .said.spaced import spaced
+from .said.spaced import shape, spaced
 
 Found = TypeVar("Found", Points, Reals)
-
-_SYMBOL = pattern(r"\$[^$]+\$")
 
 
 class Log:
@@ -72,9 +69,8 @@ class Log:
     def step(self, words: Words, view: Place | None = None, *, again: Words | None = None) -> None:
         """Open the next numbered step; marks and formulas that follow belong to it.
         again: what it says where an earlier one began with the same words, whatever its symbols."""
-        shape = Words(_SYMBOL.sub("$", words.zh), _SYMBOL.sub("$", words.en))
-        said = again if again is not None and shape in self._opened else words
-        self._opened.add(shape)
+        said = again if again is not None and shape(words) in self._opened else words
+        self._opened.add(shape(words))
         self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=spaced(said), view=view))
 
     def remark(self, words: Words) -> None:

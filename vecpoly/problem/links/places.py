@@ -136,7 +136,7 @@ def _note_offsets(
         line, line_en = (
             (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$")
             if len(along) == 1
-            else (f"${along}$", f"${along}$")
+            else (f" ${along}$ ", f"${along}$")
         )
         draft.say(
             Words(

@@ -107,7 +107,8 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float)
     board.step(
         Words(
             f"在平面 ${end}$ 内把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
-            f"In plane ${end}$ lay the components off head to tail; the closing side is ${closing.symbol}$. Read it off:",
+            f"In plane ${end}$ lay the components off head to tail; the closing side is ${closing.symbol}$. "
+            "Read it off:",
         ),
         place,
         again=Words(f"同样作平面 ${end}$ 的多边形，量得：", f"Likewise for plane ${end}$:"),
