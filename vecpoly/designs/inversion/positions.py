@@ -144,7 +144,8 @@ class Positions(Design):
 
 
 _LINED = Words(
-    f"平面 ${_BODY}$ 以其上的标线 $PQ$ 表示", f"the body ${_BODY}$ is represented by the line $PQ$ drawn on it"
+    f"平面 ${_BODY}$ 以其上的标线 $PQ$ 表示（$PQ$ 的长度任取）",
+    f"the body ${_BODY}$ is represented by a line $PQ$ on it, whose length may be chosen freely",
 )
 _ORIGIN = Words(f"${_BODY}$ 的动坐标原点", f"the origin of ${_BODY}$")
 _ACROSS = Words("动坐标轴 $x′$", "its axis $x′$")

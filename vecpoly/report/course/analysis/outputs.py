@@ -132,7 +132,7 @@ def points(study: Study) -> Iterator[Words]:
         yield Words(
             f"{zh}$|v_{{{letter}}}|$ 最大 {top[0][0]}（{top[0][1].zh}），$|a_{{{letter}}}|$ 最大 {top[1][0]}（"
             f"{top[1][1].zh}）。",
-            f"{en}$|v_{{{letter}}}|$ is greatest, {top[0][0]}, at {top[0][1].en}, "
+            f"{en}$|v_{{{letter}}}|$ has its maximum, {top[0][0]}, at {top[0][1].en}, "
             f"$|a_{{{letter}}}|$, {top[1][0]}, at {top[1][1].en}.",
         )
 
