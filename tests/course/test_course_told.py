@@ -47,7 +47,7 @@ def dense(name: str) -> oracle.Motion:
 def test_the_greatest_velocity_and_acceleration_told_of_a_point_are_those_of_the_cycle(name: str) -> None:
     told = [
         re.search(
-            r"Point \$(\w)\$ travels.*; \$\|v_\{\w\}\|\$ is greatest, ([\d.]+) m/s, "
+            r"Point \$(\w)\$ travels.*; \$\|v_\{\w\}\|\$ has its maximum, ([\d.]+) m/s, "
             r"at .*\$\|a_\{\w\}\|\$, ([\d.]+) m/s",
             words.en,
         )
