@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 
 from ...designs.base import Design
+from ...designs.grashof import Grashof
 from ...designs.limits_found import GuideBarLimits
 from ...designs.quick_return import Shaper
 from ...devices.balancing.rotor import Rotor
@@ -92,6 +93,12 @@ _DESIGN = {
     "alpha_max(_.*)?": Words("最大压力角", "maximum pressure angle"),
 }
 _GUIDE_BAR = _DESIGN | {"psi(_.*)?": Words("导杆的摆角", "swing of the guide bar")}
+_GRASHOF = {
+    "ends": Words("最短杆与最长杆长度之和", "sum of the shortest and the longest link"),
+    "middle": Words("其余两杆长度之和", "sum of the two remaining links"),
+    "CD_min": Words("杆长的下限", "lower bound of the length"),
+    "CD_max": Words("杆长的上限", "upper bound of the length"),
+}
 _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Structure, _COUNTS),
     (Rotor, _ROTOR),
@@ -99,6 +106,7 @@ _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Flywheel, _FLYWHEEL),
     (GearGeneration, _GEAR),
     ((GuideBarLimits, Shaper), _GUIDE_BAR),
+    (Grashof, _GRASHOF),
     (Design, _DESIGN),
     *DEVICES,
 )
