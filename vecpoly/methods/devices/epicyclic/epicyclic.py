@@ -51,7 +51,7 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
         Words(
             "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在 $O$ 的正上方；$A$、$C$ 为行星轮与轮 1、3 的节点。节圆半径：",
             "To the scale $μ_l$ draw the pitch circles with the centre $O_2$ of a planet straight above $O$; $A$ and "
-            "$C$ are the pitch points of the planet with the central gears 1 and 3. The pitch radii are:",
+            "$C$ are the pitch points of the planet with gears 1 and 3. The pitch radii are:",
         ),
         View.MECHANISM,
     )
@@ -99,7 +99,7 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
             "velocities sideways. All points lie vertically above $O$; a point of a link that turns counter-clockwise "
             "moves to the left (positive), of one that turns clockwise to the right (negative). "
             f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, each in its "
-            "direction, at the heights of their radii. The velocity lines of the central gears and of the "
+            "direction, at the heights of their radii. The velocity lines of gears 1 and 3 and of the "
             "carrier pass through $O$.",
         ),
         RADII,

@@ -24,7 +24,7 @@ def whole_teeth(gear: GearGeneration, read: Reals, depth: Reals) -> Words:
     return Words(
         f"$PQ$ 的读数每差 0.1 mm，{symbol} 相差 {off}；按公式 2$h_a^{{*}}$/sin²$α$ 得 {by}，"
         f"取整数 {symbol} = {taken}。",
-        f"A tenth of a millimetre in $PQ$ changes {symbol} by {off}; "
+        f"Each 0.1 mm in the reading of $PQ$ changes {symbol} by {off}; "
         f"the formula 2$h_a^{{*}}$/sin²$α$ gives {by}, "
         f"and the whole number taken is {symbol} = {taken}.",
     )

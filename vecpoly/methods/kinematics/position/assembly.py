@@ -86,8 +86,8 @@ def said(statement: Statement | None, which: str = "点") -> Words:
             return Words(f"（取与题给装配形式相符的一{which}）", " (of the two, the one that fits the assembly given)")
         case SideOf(point=point, side=side):
             beside = side in (Side.LEFT, Side.RIGHT)
-            ref = ("→" if beside else "").join(statement.ref)
-            line = Words(f"有向线 ${''.join(statement.ref)}$ " if beside else f"${ref}$ ", f"${ref}$")
+            ref = f"${''.join(statement.ref)}$"
+            line = Words(f"有向线 {ref} ", f"the directed line {ref}") if beside else Words(f" {ref} ", ref)
             taken = (
                 f"取位于{line.zh}{_SIDE[side]}的交点"
                 if which == "点"

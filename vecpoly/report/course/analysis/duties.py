@@ -43,7 +43,7 @@ def stretch(study: Study, duty: Duty) -> str:
 def ranges(study: Study, found: Sequence[Duty]) -> Words:
     """Several stretches, those that lie against each other as one."""
     texts = [stretch(study, duty) for duty in merged(found, study.whole.period)]
-    return Words("、".join(texts), ", ".join(texts).replace("～", "–"))
+    return Words("、".join(texts), ", ".join(texts).replace("～", " to "))
 
 
 def merged(found: Sequence[Duty], turn: float) -> list[Duty]:
