@@ -127,8 +127,7 @@ class Answer:
 
     def _as_json(self) -> dict[str, Any]:
         exact = settled(self.exact, self.weighed.noise, self.weighed.size)
-        drawn = 0.0 if exact == 0 and abs(self.drawn) <= _NOTHING * self.weighed.size else self.drawn
-        data: dict[str, Any] = {"unit": self.reading.unit, "drawn": drawn, "exact": exact}
+        data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": exact}
         if self.undefined:
             return data | {"drawn": None, "exact": None, "undefined": True, "suspect": self.suspect is not None}
         if self.reading.unit == YES_NO:

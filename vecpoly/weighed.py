@@ -13,6 +13,7 @@ from .board.construction import LineOfAction, Reading
 from .board.hand import scatter
 from .board.ruler import READABLE
 from .check.alarm import Weighed, alarm_at
+from .check.precision import NOTHING, settled
 from .check.truth import ActsAt, size_of
 from .found import answered
 from .methods.centres.compare import comparable
@@ -79,17 +80,24 @@ def _expected(scalars: Any) -> float:
     return 3.0 * scatter(found) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
 
 
+def vanishes(weighed: Weighed) -> bool:
+    """Whether a value is 0 but for the rounding of numbers, by the oracle and by the drawing: it is told as 0."""
+    none = settled(weighed.exact, weighed.noise, weighed.size) == 0
+    return none and abs(weighed.drawn) <= NOTHING * weighed.size
+
+
 def _answer(
     rel: Key, reading: Reading, exact: complex | float, error: float, line: ActsAt | None, turns: bool, weighed: Weighed
 ) -> Answer:
+    kept = 0.0 if vanishes(weighed) else 1.0
     return Answer(
         rel=rel,
         reading=reading,
-        drawn=reading.scalar,
-        exact=size_of(exact),
-        expected_error=error,
-        drawn_vector=reading.vector,
-        exact_vector=exact if isinstance(exact, complex) else None,
+        drawn=kept and reading.scalar,
+        exact=kept and size_of(exact),
+        expected_error=error if error > NOTHING * weighed.size else kept and error,
+        drawn_vector=reading.vector and kept * reading.vector,
+        exact_vector=kept * exact if isinstance(exact, complex) else None,
         exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple),
         turns=turns,
         weighed=weighed,

@@ -47,7 +47,7 @@ def test_a_given_travel_says_from_where_it_counts(name: str, said: str) -> None:
 
 
 def test_no_length_is_negative_behind_the_start_of_a_line() -> None:
-    assert "垂足在其反向延长线上，距 $A$ 300 mm" in _given("tipper", "zh") and "−" not in _given("tipper", "zh")
+    assert "沿 $AE$ 的反向延长线距 $A$ 300 mm" in _given("tipper", "zh") and "−" not in _given("tipper", "zh")
 
 
 @pytest.mark.parametrize("name", few(["dump-hoist", "scissor-lift"], 2))

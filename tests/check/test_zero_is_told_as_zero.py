@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+import vecpoly
 from vecpoly.answer import place_of
 from vecpoly.check.precision import settled
 from vecpoly.problem.load import loads
+from vecpoly.report.answers.line import answer_line
 from vecpoly.solution import solve
 
 TRAIN = """
@@ -25,6 +27,14 @@ def test_an_acceleration_that_vanishes_is_zero_in_the_json() -> None:
     assert abs(solution.answers["alpha_2"].exact) < 1e-12
     told = solution.as_json()["answers"]["alpha_2"]
     assert (told["drawn"], told["exact"]) == (0, 0)
+
+
+def test_nothing_that_vanishes_is_printed_by_powers_of_ten_with_a_sense() -> None:
+    greatest = "277.84887978899616 mm"  # where the legs turn at their greatest rate
+    solution = vecpoly.load("scissor-lift").vary(length=greatest).solve()
+    for key in ("alpha_1", "alpha_2"):
+        line = answer_line(solution.answers[key], solution, "en")
+        assert line.result == "0 rad/s^2" and solution.answers[key].sense is None
 
 
 def test_a_small_acceleration_that_is_true_is_no_zero() -> None:

@@ -121,7 +121,7 @@ def test_check_says_where_there_is_nothing_to_check(run: Run) -> None:
 
 def test_report_writes_one_pdf_in_the_language_asked(run: Run, tmp_path: Path) -> None:
     assert run("report", "3-9", "--lang", "en", "-o", "x.pdf").exit_code == 0
-    assert "Swinging block" in pdf_text(tmp_path / "x.pdf")
+    assert "Oscillating-block linkage" in pdf_text(tmp_path / "x.pdf")
     assert run("report", "3-9", "--style", "question", "-o", "q.pdf").exit_code == 0
     assert "摇块机构" in pdf_text(tmp_path / "q.pdf")
 

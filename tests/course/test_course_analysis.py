@@ -187,7 +187,7 @@ def test_the_lengths_advised_give_the_angle_that_is_promised(name: str) -> None:
         p, q = (moved.position(x) if x not in frame else frame[x] for x in found.groups())
         far = np.abs(p - q)
         equal = re.search(r"\$ = ([\d.]+) mm(?: would|\))", text)
-        angle = re.search(r"least angle of this group to ([\d.]+)°|= ([\d.]+)° at best", text)
+        angle = re.search(r"minimum angle of this group to ([\d.]+)°|= ([\d.]+)° at best", text)
         assert equal and angle
         length = float(equal[1]) / 1e3
         gamma = np.degrees(np.arccos(1 - far**2 / (2 * length**2)))

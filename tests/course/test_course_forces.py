@@ -229,7 +229,7 @@ def test_the_conclusion_gives_what_was_asked_for() -> None:
 
 def test_the_conclusion_gathers_the_instant_centres_where_all_are_asked() -> None:
     (said,) = stated(studied("3-1a"))
-    assert "all 6 instant centres, with their places in 6.2" in said.en and "P_{12}" not in said.en
+    assert "all 6 instant centres, with their positions in 6.2" in said.en and "P_{12}" not in said.en
 
 
 @pytest.mark.parametrize("name", ["press-flywheel", "A-27", "4-3a"])

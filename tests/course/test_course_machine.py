@@ -183,10 +183,10 @@ def test_a_mechanism_without_masses_and_loads_has_no_such_chapter_and_no_word_of
     assert "机械的运转" not in text
 
 
-def test_a_report_with_loads_but_without_masses_says_why_the_chapters_are_missing() -> None:
+def test_nor_has_one_with_loads_but_without_masses() -> None:
     text, _ = course_words("4-3a", "en")
     assert re.search(r"9\s+Conclusion", text)
-    assert "There is no chapter “Motion of the machine, flywheel”: no masses are given" in text
+    assert "no chapter" not in text and "Motion of the machine" not in text
 
 
 def test_without_a_constant_moment_of_its_own_one_is_thought_that_does_the_same_work() -> None:

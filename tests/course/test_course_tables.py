@@ -173,7 +173,7 @@ def test_places_of_extremes_are_in_the_drive_s_unit_under_its_symbol_and_no_zero
     kept, symbol = press(), f"${studied(name).turn.drive.symbol}$"
     extremes(studied(name), kept)
     (made,) = kept.made
-    assert list(made.header) == ["Quantity", "Unit", "Greatest", symbol, "Least", symbol]
+    assert list(made.header) == ["Quantity", "Unit", "Maximum", symbol, "Minimum", symbol]
     places = [place for row in made.rows for place in (row[3], row[5])]
     assert all(re.fullmatch(rf"−?\d+\.\d{unit}\*?", place) for place in places)
     assert {place for place in places if not shown(re.sub("[° a-z]", "", place))} == {f"0.0{unit}"}

@@ -47,7 +47,7 @@ def dense(name: str) -> oracle.Motion:
 def test_the_greatest_velocity_and_acceleration_told_of_a_point_are_those_of_the_cycle(name: str) -> None:
     told = [
         re.search(
-            r"Point \$(\w)\$ travels.*; \$\|v_\{\w\}\|\$ is greatest, ([\d.]+) m/s, "
+            r"Point \$(\w)\$ travels.*; \$\|v_\{\w\}\|\$ has its maximum, ([\d.]+) m/s, "
             r"at .*\$\|a_\{\w\}\|\$, ([\d.]+) m/s",
             words.en,
         )
@@ -78,7 +78,7 @@ def test_the_rates_told_of_an_output_link_are_those_of_the_cycle(name: str) -> N
     told = "\n".join(words.en for words in concluded(name) if words.en.startswith("Output link"))
     rate = r"([ωα])_\{?(\d)\}?"
     ranges = re.findall(rf"\${rate}\$ varies from ([−\d.]+) rad/s\S* \(.*?\) to ([−\d.]+) rad/s", told)
-    sizes = re.findall(rf"the greatest \$\|{rate}\|\$ is ([\d.]+) rad/s", told)
+    sizes = re.findall(rf"the maximum \$\|{rate}\|\$ is ([\d.]+) rad/s", told)
     assert ranges or sizes
     for letter, link, *limits in [*ranges, *((letter, link, top) for letter, link, top in sizes)]:
         values = np.asarray((dense(name).omega if letter == "ω" else dense(name).alpha)(link))

@@ -161,12 +161,12 @@ def test_what_changes_its_sign_is_seen_against_a_line_of_zero() -> None:
         (
             ("alpha_2",),
             "构件 2 的角加速度 $α_{2}$ 随 $φ_{1}$ 的变化曲线",
-            "Angular acceleration of link 2 ($α_{2}$) over",
+            "Angular acceleration of link 2 ($α_{2}$) versus",
         ),
         (("v_E", "v_E.x"), "$E$ 点的速度及其分量 $v_{E}$、$v_{Ex}$ 随", "Velocity and components of $E$ ($v_{E}$"),
         (("omega_1", "omega_2"), "构件的角速度 $ω_{1}$、$ω_{2}$ 随", "Angular velocities of the links ($ω_{1}$"),
         (("p_E.x", "p_E.y"), "$E$ 点的坐标", "Coordinates of $E$"),
-        (("p_E.y",), "点 $E$ 的坐标 $y_{E}$ 随 $φ_{1}$", "Coordinate $y_{E}$ of point $E$ over"),
+        (("p_E.y",), "点 $E$ 的坐标 $y_{E}$ 随 $φ_{1}$", "Coordinate $y_{E}$ of point $E$ versus"),
     ],
 )
 def test_a_caption_says_what_is_shown(keys: tuple[str, ...], zh: str, en: str) -> None:

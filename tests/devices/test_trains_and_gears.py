@@ -208,7 +208,7 @@ def test_the_tip_is_thinner_than_the_pitch_and_all_grows_with_the_module(z: int,
 def test_the_shift_at_which_undercut_ends_is_told(x: str, cut: bool) -> None:
     construction = drawn(gear(m="10 mm", z=10, x=x))
     assert bool(construction.readings["undercut"].scalar) is cut
-    assert any("should be 0.415" in step.words.en for step in construction.steps) is cut
+    assert any("should be at least 0.415" in step.words.en for step in construction.steps) is cut
 
 
 @pytest.mark.parametrize(
@@ -275,3 +275,9 @@ def test_every_symbol_of_the_tip_is_lettered_on_the_sheet_and_the_circle_of_the_
     said = " ".join(step.words.en for step in steps)
     assert "reference circle" in said and "pitch circle" not in said
     assert not any("δ" in str(formula) for step in steps for formula in step.formulas)
+
+
+@pytest.mark.parametrize(("angle", "whole"), [("20 deg", 17), ("15 deg", 30), ("25 deg", 12)])
+def test_the_least_number_of_teeth_is_told_as_the_whole_number_of_the_textbooks(angle: str, whole: int) -> None:
+    steps = drawn(gear(m="10 mm", z=10, x="0", alpha=angle)).steps
+    assert any(f"= {whole}." in step.words.en for step in steps)

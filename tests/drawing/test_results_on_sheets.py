@@ -145,7 +145,7 @@ def test_results_on_every_sheet_have_one_form_and_rows_of_one_height(name: str) 
         ("6-2", "static", "en", "statically balanced (ΣW = 0): yes"),
         ("6-2", "dynamic", "zh", "动平衡（ΣW l = 0）：否"),
         ("2-10", "class_5", "zh", "机构级别（原动件 5）：Ⅲ 级"),
-        ("2-10", "class_1", "en", "class with link 1 driving: class II"),
+        ("2-10", "class_1", "en", "class with link 1 as driver: class II"),
     ],
 )
 def test_what_has_no_number_is_told_on_a_sheet_by_its_name_in_words(name: str, key: str, lang: Lang, said: str) -> None:

@@ -31,12 +31,23 @@ ENGLISH = (
     r"of the assemblies",
     r"\bif any\)", r"[Ss]ame hand repeated", r"This report finds: ", r"(?<!/s) ↺ ccw", r"(?:are|is|numbers) ours\b",
     r"the (?:figure|guide)[^.]* is lost", r"passes \$\{\}\$ at an offset",
+    r"\bover \$[Mφωψ]", r"[Ii]n one round\b", r"\ban oval\b", r"[Aa] four-bar(?! linkage| chain| mechanism| is found)",
+    r"[Ss]winging block\b", r"oscillating flat face\b", r"[Ll]evel through", r"\bits other places\b", r"path circle",
+    r"height enlarged", r"to no scale", r"Shares of the", r"First static", r"What was asked", r"turns? fully\b",
+    r"stand in brackets", r"of an obtuse one", r"judged by its last", r"[Rr]educe (?:all|everything) to",
+    r"reduced to (?:its|shaft)",
+    r"[Cc]ondition for a crank", r"\bhinged to\b", r"one leg of which", r"\bhoist starts\b", r"to be filled in",
+    r"lead a smooth curve", r"compute more places", r"letter the pairs", r"by the angle with the sine", r"^they agree$",
+    r"Where the forces act", r"drawn one after the other", r"[Gg]reatest (?:pressure|surplus|speed|shaking|structural)",
+    r"(?<!at )[Ll]east (?:radius|number|speed|profile|base circle|transmission)", r"from a (?:large|small) \w+, not of",
 )  # fmt: skip
 CHINESE = (
     r"相应一侧", r"在同样的驱动下", r"等值、反向，沿", r"的垂足距", r"性态", r"分子大", r"分母小",
     r"惠氏", r"带宽", r"本题求出", r"各支链中", r"作出它们", r"图形因此", r"[沿上][^，。]{0,6}量取 ?\$", r"或行星轮系",
     r"影像求 \$", r"附图缺失", r"原图已失", r"尺寸为?自拟", r"电子文本", r"本库所取",
     r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中", r"（扩大）", r"其作用的范围",
+    r"轮心距", r"焊死", r"侧的一点", r"给从动件（", r"同回路同分支", r"此题病态", r"从框内已印出", r"精确求得",
+    r"原动件上力偶",
 )  # fmt: skip
 
 

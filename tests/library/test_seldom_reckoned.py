@@ -90,7 +90,10 @@ def test_a_guide_that_a_statement_decides_says_by_which(side: str) -> None:
     text = re.sub(r"(?ms)^printed:.*", "", load("3-9").text)
     zh, en = {"left": ("左侧", "left"), "right": ("右侧", "right")}[side]
     told = solve(loads(f"{text}\nbranch: [E {side} of BC]\n"), repeats=0).construction.steps[1].words
-    assert f"of the two, $E$ to the {en} of $B→C$" in told.en and f"（取 $E$ 在 $B→C$ {zh}的一个方向）" in told.zh
+    assert (
+        f"of the two, $E$ to the {en} of the directed line $BC$" in told.en
+        and f"（取 $E$ 在有向线 $BC$ {zh}的一个方向）" in told.zh
+    )
     alone = solve(loads(text), repeats=0).construction.steps[1].words
     assert "of the two" not in alone.en and "（" not in alone.zh
 

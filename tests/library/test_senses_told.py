@@ -48,7 +48,7 @@ def test_directions_of_vectors_are_told_from_0_to_360_degrees(name: str) -> None
 
 def test_a_load_told_clockwise_has_the_direction_that_stands_in_the_table() -> None:
     given = " ".join(one.of("en") for one in load("winch-gears").given.loads)
-    assert "direction 270°" in given and "−90" not in given, given
+    assert "directed vertically downwards" in given and "−90" not in given, given
 
 
 def test_an_equivalent_moment_is_computed_as_a_size_and_is_said_to_be_one() -> None:

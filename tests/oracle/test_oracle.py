@@ -267,7 +267,7 @@ def test_rates_are_refused_where_positions_alone_were_solved() -> None:
 
 
 def triple(position: float = 90.0, branches: str = "C left B D") -> Mechanism:
-    """A double rocker: cannot turn fully."""
+    """A double rocker: cannot rotate fully."""
     mech = fourbar(0.1, 0.1, 0.08, 0.11, (position, 10.0))
     return Mechanism(
         frame=mech.frame, links=mech.links, joints=mech.joints, drives=mech.drives, branches=says(branches)

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from vecpoly import loads
+from vecpoly import load, loads
 from vecpoly.mechanism.model import Mechanism
-from vecpoly.oracle import plan, planning, spans
+from vecpoly.names import omega
+from vecpoly.oracle import plan, planning, solve, spans
 from vecpoly.oracle.run import STEP
 
 # between 8.4° and 9.7° on from here the plate is swung round by half a radian within a hundredth of one of the crank
@@ -75,3 +76,15 @@ def test_a_loop_that_closes_with_its_last_step_is_closed() -> None:
     """Its gap was taken before that step: the range of such a mechanism fell into thirteen pieces."""
     [whole] = spans(mechanism(RACK))
     assert whole == pytest.approx((0.0, 2 * np.pi))
+
+
+@pytest.mark.parametrize("name", ["three-legged-plate", "class-iii-slides"])
+def test_the_range_of_a_class_iii_group_ends_at_dead_points_and_not_where_its_angle_is_0(name: str) -> None:
+    mech = load(name).mechanism
+    assert isinstance(mech, Mechanism)
+    [(low, high)] = spans(mech)
+    assert low <= mech.drive.position + 2 * np.pi <= high or low <= mech.drive.position <= high
+    turn = 2 * np.pi * (high > mech.drive.position + 2 * np.pi)
+    for end, inwards in ((low - turn, 1.0), (high - turn, -1.0)):
+        rates = solve(mech, end + inwards * np.array([-1e-4, 1e-8, 1e-4]), order=1, strict=False).value(omega("2"))
+        assert np.isnan(rates[0]) and abs(rates[1]) > 50 * abs(rates[2])

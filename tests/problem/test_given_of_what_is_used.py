@@ -41,4 +41,4 @@ def test_a_product_that_is_given_has_the_letter_with_which_it_is_gone_on(name: s
 def test_a_point_so_far_to_the_left_less_than_nothing_is_told_on_the_right() -> None:
     text = load("curv-1").text.replace("id: curv-1", "id: other").replace("right: 20 mm", "left: -20 mm")
     told = [datum.words for datum in loads(text).given.lengths if datum.words is not None]
-    assert any("$F$ lies 20 mm to its right" in words.en and "右侧 20 mm" in words.zh for words in told)
+    assert any("and 20 mm to its right" in words.en and "右侧 20 mm" in words.zh for words in told)

@@ -201,7 +201,7 @@ def test_a_sense_alone_is_one_radian_per_second_and_is_printed_without_a_number(
 def test_the_given_loads_are_printed_in_both_languages() -> None:
     problem = loads(MOVING + RUBBING.replace("}}\n", "}, C: {rho: 4 mm}}\n") + MASSES + "weight: yes\n")
     assert told(problem) == [
-        "驱动力 $F$ = 1000 N，作用于构件 3 的 $C$ 点，方向角 180°",
+        "驱动力 $F$ = 1000 N，作用于构件 3 的 $C$ 点，水平向左",
         "待求的阻力矩 $M_1$ 作用于构件 1",
         "计各构件重力，$g$ = 9.81 m/s²",
         "$ρ_A$ = 6 mm",
@@ -214,13 +214,10 @@ def test_the_given_loads_are_printed_in_both_languages() -> None:
         "构件 3 的质心在 $C$",
     ]
     assert told(problem, "en")[:2] == [
-        "driving force $F$ = 1000 N on link 3 at $C$, direction 180°",
+        "driving force $F$ = 1000 N on link 3 at $C$, directed horizontally to the left",
         "the unknown resisting moment $M_1$ acts on link 1",
     ]
-    assert (
-        problem.given.lengths[2].of("en")
-        == "the foot of $S_2$ on $BC$ is 100 mm from $B$ and $S_2$ lies 20 mm to its left"
-    )
+    assert problem.given.lengths[2].of("en") == "$S_2$ lies 100 mm from $B$ along $BC$ and 20 mm to its left"
 
 
 def test_where_nothing_is_asked_the_unknown_its_frictionless_value_and_all_reactions_are() -> None:
@@ -449,3 +446,18 @@ find: [P_r, P_13, omega_ratio_12, R_43]
     assert all(abs(answer.deviation) < 1e-9 * max(1, abs(answer.exact)) for answer in solution.answers.values())
     with pytest.raises(ProblemFileError, match="instant centre"):
         loads(text.replace("P_r", "P_12"))
+
+
+@pytest.mark.parametrize(
+    ("written", "zh", "en"),
+    [
+        ("0 deg", "水平向右", "directed horizontally to the right"),
+        ("30 deg", "指向右上方，与水平线成 30°", "directed upwards to the right at 30° to the horizontal"),
+        ("158 deg", "指向左上方，与水平线成 22°", "directed upwards to the left at 22° to the horizontal"),
+        ("-75 deg", "指向右下方，与水平线成 75°", "directed downwards to the right at 75° to the horizontal"),
+        ("200.5 deg", "指向左下方，与水平线成 20.5°", "directed downwards to the left at 20.5° to the horizontal"),
+    ],
+)
+def test_the_direction_of_a_force_is_told_from_the_horizontal(written: str, zh: str, en: str) -> None:
+    problem = loads((MOVING + MASSES).replace("direction: 180 deg", f"direction: {written}"))
+    assert zh in told(problem)[0] and told(problem, "en")[0].endswith(en)

@@ -293,7 +293,7 @@ def test_the_words_of_a_cover_stand_in_the_middle_of_the_page_title_over_subtitl
     assert kind.y > title.y > subtitle.y > 148.5 * MM and title.size > kind.size > subtitle.size
     assert cover("a long title " * 12).piece("title").size < title.size
     long = cover("W" * 80).piece("WW")
-    assert long.right - long.x == pytest.approx(160 * MM, rel=1e-3) and long.middle == pytest.approx(105 * MM, rel=1e-3)
+    assert long.right - long.x == pytest.approx(136 * MM, rel=1e-3) and long.middle == pytest.approx(105 * MM, rel=1e-3)
 
 
 def test_the_fields_of_a_cover_stand_on_rules_of_one_length_in_their_order() -> None:
@@ -303,7 +303,7 @@ def test_the_fields_of_a_cover_stand_on_rules_of_one_length_in_their_order() -> 
     assert {(round(rule[0], 3), round(rule[2], 3)) for rule in rules} == {
         (round((105 - 46 + 30) * MM, 3), round(62 * MM, 3))
     }
-    assert [*pairs([label.y for label in labels])] == pytest.approx([11 * MM] * 2) and labels[-1].y == pytest.approx(
+    assert [*pairs([label.y for label in labels])] == pytest.approx([9.5 * MM] * 2) and labels[-1].y == pytest.approx(
         34 * MM
     )
     assert [label.right for label in labels] == pytest.approx([(105 - 46 + 24) * MM] * 3)
@@ -321,12 +321,15 @@ def test_the_fields_of_a_cover_stand_on_rules_of_one_length_in_their_order() -> 
     assert filled.right - filled.x <= 62 * MM + 1e-6
 
 
-def test_the_figure_of_a_cover_stands_in_the_middle_of_the_page() -> None:
+def test_the_figure_of_a_cover_stands_in_the_middle_between_title_and_blanks() -> None:
     where = list[tuple[float, float]]()
     figure = Drawing(80, 60, lambda _, x, y: where.append((x, y)))
     with remembered() as paper:
-        Cover("", "", "", (), figure)._page(paper, 0.0, 0.0)
-    assert where == [pytest.approx(((105 - 40) * MM, (147 - 30) * MM))]
+        Cover("Course", "W" * 80, "", (("Name", ""), ("Class", "")), figure)._page(paper, 0.0, 0.0)
+    lowest = min(rule[1] for rule in paper.rules if rule[1] > 148 * MM)
+    uppermost = max(rule[1] for rule in paper.rules if rule[1] < 148 * MM) + (1.6 + 8.0) * MM
+    assert where == [pytest.approx(((105 - 40) * MM, (lowest + uppermost) / 2 - 30 * MM))]
+    assert all(rule[2] >= piece.right - piece.x for rule in paper.rules[:2] for piece in paper.texts[:3])
 
 
 def test_a_listing_numbers_its_lines_and_folds_long_ones_at_a_blank() -> None:

@@ -22,4 +22,4 @@ def test_the_title_of_a_report_holds_the_letters_of_its_symbols_alone() -> None:
 
 def test_so_do_those_of_an_svg_and_of_a_geogebra_file() -> None:
     assert "<title>at φ_1 = 60°</title>" in to_svg(Scene((), Rect(0.0, 0.0, 9.0, 9.0)), "at $φ_1$ = 60°")
-    assert b'title="Swinging block with point D"' in document(record(load("ex10")), "en")
+    assert b'title="Oscillating-block linkage with coupler point D"' in document(record(load("ex10")), "en")

@@ -23,8 +23,8 @@ def told(name: str, lang: str) -> str:
 
 @pytest.mark.parametrize("name", ["8-4", "8-15"])
 def test_a_frame_with_pivots_in_it_leaves_no_choice_of_place(name: str) -> None:
-    assert "they begin with what is printed there" in told(name, "en") and "your choice" not in told(name, "en")
-    assert "从框内已印出的部分画起" in told(name, "zh")
+    assert "they are built upon the lines given there" in told(name, "en") and "your choice" not in told(name, "en")
+    assert "以框内已给出的图线为基础作图" in told(name, "zh")
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ def test_both_solutions_of_8_4_stand_beside_their_exact_values() -> None:
     assert [text.partition("(")[2] for text in found["Swing /°"]] == ["40.74)", "105.8)"]
     assert found["Type"] == ("crank-rocker", "crank-rocker")
     assert all(float(text) > 0 for text in found[f"{MARGIN.en} /mm"])
-    assert found["Driver $AB$ turns fully"] == ("yes", "yes")
+    assert found["Driver $AB$ rotates fully"] == ("yes", "yes")
 
 
 @pytest.mark.parametrize("name", few(["8-4", "8-8", "8-13", "8-18", "three-positions"], 2))
@@ -53,7 +53,7 @@ def test_what_a_solution_has_not_leaves_no_line() -> None:
 def test_a_solution_that_cannot_move_has_its_line_and_no_solution_is_left_out() -> None:
     found = table(FLAT)
     assert found["No."] == ("1", "2", "3")
-    assert found["Driver $AB$ turns fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
+    assert found["Driver $AB$ rotates fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
 
 
 @pytest.mark.parametrize("lang", few(["zh", "en"], 2))
@@ -81,7 +81,7 @@ def test_every_length_of_every_solution_is_asked() -> None:
 
 def test_a_crank_rocker_driven_by_its_rocker_says_which_is_the_crank_and_which_does_not_turn() -> None:
     assert table("8-8")["Type"] == ("crank-rocker ($CD$ the crank)",)
-    assert table("8-8")["Driver $AB$ turns fully"] == ("no",)
+    assert table("8-8")["Driver $AB$ rotates fully"] == ("no",)
     assert "曲柄摇杆机构" in grashof(30.0, 55.55, 22.2, 60.0)[0].zh
 
 
@@ -95,7 +95,7 @@ def test_a_given_link_that_need_not_be_a_crank_is_called_a_link() -> None:
 
 
 @pytest.mark.parametrize(
-    ("lang", "said"), few([("zh", "原动件 $AB$ 能整周转动"), ("en", "the driver $AB$ turns fully")], 2)
+    ("lang", "said"), few([("zh", "原动件 $AB$ 能整周转动"), ("en", "the driver $AB$ rotates fully")], 2)
 )
 def test_what_a_single_solution_does_is_said_in_a_sentence_and_of_several_in_a_table(lang: Lang, said: str) -> None:
     solutions = [vecpoly.load(name).solve() for name in ("8-5", "8-4", "3-9")]

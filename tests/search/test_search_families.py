@@ -50,7 +50,7 @@ def test_the_output_of_the_six_bar_swings_as_the_general_solver_has_it(seed: int
 def test_the_crank_rocker_has_the_k_and_the_angle_that_its_score_says(seed: int) -> None:
     x = candidates(BEST, 1, np.random.default_rng(seed))[0]
     told = {one.name.en: one.value for one in BEST.measured(problem({"id": "a", "title": "a", **BEST.built(x)}))}
-    assert told["least transmission angle"] == pytest.approx(-np.degrees(BEST.score(x[None, :])[0]), abs=0.05)
+    assert told["minimum transmission angle"] == pytest.approx(-np.degrees(BEST.score(x[None, :])[0]), abs=0.05)
     assert told["time ratio K"] == pytest.approx(1.3, abs=2e-3)
     assert told["swing"] == pytest.approx(np.degrees(x[0]), abs=0.05)
 

@@ -117,10 +117,10 @@ TWO = ["K-crank-rocker-AD", "K-crank-rocker-BC", "8-15"]
 def test_two_solutions_stand_one_below_the_other_each_beside_its_transmission_angles(name: str) -> None:
     (sheet,) = sheets(drawn(name).construction)
     at = {one.title.en.partition(" (")[0][:5] + one.title.en[-2]: place.extents for one, place in _titled(sheet)}
-    assert set(at) == {"Synth1", "Synth2", "Least1", "Least2"}
+    assert set(at) == {"Synth1", "Synth2", "Minim1", "Minim2"}
     for n in "12":
-        assert at[f"Synth{n}"].x1 < at[f"Least{n}"].x0 and at[f"Least{n}"].y0 < at[f"Synth{n}"].y1
-    assert at["Synth2"].y1 < at["Synth1"].y0 and at["Least2"].y1 < at["Least1"].y0
+        assert at[f"Synth{n}"].x1 < at[f"Minim{n}"].x0 and at[f"Minim{n}"].y0 < at[f"Synth{n}"].y1
+    assert at["Synth2"].y1 < at["Synth1"].y0 and at["Minim2"].y1 < at["Minim1"].y0
 
 
 @each([*TWO, "K-crank-rocker-line"])

@@ -28,7 +28,7 @@ from .place import Pane, Place, View, view_of, views
 from .said.behind import behind
 from .said.grazing import grazing
 from .said.short import Short, remarked, too_short
-from .said.spaced import spaced
+from .said.spaced import shape, spaced
 
 Found = TypeVar("Found", Points, Reals)
 
@@ -68,9 +68,9 @@ class Log:
 
     def step(self, words: Words, view: Place | None = None, *, again: Words | None = None) -> None:
         """Open the next numbered step; marks and formulas that follow belong to it.
-        again: what it says where an earlier one began with the same words."""
-        said = again if again is not None and words in self._opened else words
-        self._opened.add(words)
+        again: what it says where an earlier one began with the same words, whatever its symbols."""
+        said = again if again is not None and shape(words) in self._opened else words
+        self._opened.add(shape(words))
         self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=spaced(said), view=view))
 
     def remark(self, words: Words) -> None:

@@ -25,7 +25,7 @@ def title_of(drive: Column, groups: Sequence[Sequence[Column]]) -> Words:
     """What the curves of all panels are, over what."""
     named = [_named(group) for group in groups]
     zh, en = "；".join(one.zh for one in named), "; ".join(one.en for one in named)
-    return Words(f"{zh}随 ${drive.symbol}$ 的变化曲线", f"{en[:1].upper()}{en[1:]} over ${drive.symbol}$")
+    return Words(f"{zh}随 ${drive.symbol}$ 的变化曲线", f"{en[:1].upper()}{en[1:]} versus ${drive.symbol}$")
 
 
 def _named(group: Sequence[Column]) -> Words:

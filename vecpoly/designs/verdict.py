@@ -46,7 +46,8 @@ class Verdict(Enum):
         "两位置中 $C$ 不在 $BD$ 的同一侧，机构不能连续到达", "$C$ lies on different sides of $BD$ in the two positions"
     )
     NO_DOUBLE_CRANK = Words(
-        "不是双曲柄机构，$AB$ 与 $CD$ 不能都整周转动", "no double crank: $AB$ and $CD$ do not both turn fully"
+        "不是双曲柄机构，$AB$ 与 $CD$ 不能都整周转动",
+        "no double crank: $AB$ and $CD$ do not both make full revolutions",
     )
     REVERSED = Words(
         "$C_1$ 在给定射线 $DC_1$ 的反向延长线上，$DC_1$ 的方向角为 $ψ_1 ± 180°$；此机构须取 $ψ_1 ± 180°$ 为 $ψ_1$",

@@ -20,8 +20,8 @@ from ..words import Words
 from .base import Device
 from .pairs_read import Letter, read_pair
 from .structure_named import DETERMINED, F_LOCAL, F_LOW, N_LOW, P_H, P_L, P_LOW, P_REDUNDANT, F, N, class_, groups
-from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural
-from .structure_told import THE_FRAME, told_drivers, told_joints
+from .structure_pairs import FRAME, Chain, Pair, Written, natural
+from .structure_told import FIGURE, told_drivers
 
 Joint = Annotated[Written, BeforeValidator(read_pair), WithJsonSchema({"type": "string"})]
 OFF_LINE = 0.01  # share of the distance between the centres by which a contact may stand beside their line
@@ -149,18 +149,9 @@ class Structure(Device):
         return ()
 
     def told(self) -> tuple[Words, ...]:
-        """Joints by their kind with the links that they join; the drivers, one possibility after the other."""
-        joints = [
-            told_joints(form, {letter: self._joined(one) for letter, one in self.joints.items() if one.form is form})
-            for form in Form
-        ]
+        """The figure, which has the links and joints; the drivers, one possibility after the other."""
         sets = [[self.number(_plain(link, self.frame)) for link in together] for together in self.drive_sets]
-        return (*(one for one in joints if one is not None), *([told_drivers(sets)] if sets else []))
-
-    def _joined(self, joint: Written) -> list[Words]:
-        """The links of a joint as they are printed; the frame by its name."""
-        plain = [_plain(link, self.frame) for link in joint.links]
-        return [THE_FRAME if link == FRAME else Words.same(self.number(link)) for link in plain]
+        return (FIGURE, *([told_drivers(sets)] if sets else []))
 
     @property
     def size(self) -> float:

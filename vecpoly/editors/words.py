@@ -27,7 +27,7 @@ SEARCH = {
     "candidates": "试取多少个机构 / how many candidates are tried",
     "points": "轨迹上的点 / points of the curve",
     "closed": "轨迹是否封闭 / whether the curve is closed",
-    "gamma_min": "最小传动角的许用值 / the least transmission angle admitted",
+    "gamma_min": "最小传动角的许用值 / the minimum transmission angle admitted",
     "longest": "最长杆的许用值 / the longest link admitted",
     "dwell": "间歇对应的曲柄转角 / the turn of the crank during which the output rests",
     "swing": "从动件的摆角（或其范围） / the swing of the output, or its range",

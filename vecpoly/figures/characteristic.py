@@ -12,7 +12,7 @@ CHARACTERISTIC = register(
     View(
         name="characteristic",
         order=76,
-        title=Words("机械特性曲线 $M$–$ω$", "Characteristics $M$ over $ω$"),
+        title=Words("机械特性曲线 $M$–$ω$", "Mechanical characteristics $M$–$ω$"),
         called=Words("机械特性曲线", "the characteristics"),
         mu=MOMENT,
         across=TURNS.mu,
@@ -42,7 +42,7 @@ INVERSE = register(
     View(
         name="inverse",
         order=77,
-        title=Words("$y$ = $1/ΔM$ 线图 $y$–$ω$", "$y$ = $1/ΔM$ over $ω$"),
+        title=Words("$y$ = $1/ΔM$ 线图 $y$–$ω$", "$y$ = $1/ΔM$ versus $ω$"),
         called=Words("$1/ΔM$ 线图", "the diagram of $1/ΔM$"),
         mu=Mu(
             symbol="μ_y",

@@ -37,7 +37,7 @@ DISPLACEMENT = register(
     View(
         name="displacement",
         order=5,
-        title=Words("位移线图 $s$–$φ$", "Displacement $s$ over $φ$"),
+        title=Words("位移线图 $s$–$φ$", "Displacement diagram $s$–$φ$"),
         called=Words("位移线图", "the displacement diagram"),
         mu=STROKE,
         across=DIVIDED,
@@ -49,7 +49,7 @@ ANGULAR = register(
     View(
         name="swing",
         order=6,
-        title=Words("角位移线图 $ψ$–$φ$", "Swing $ψ$ over $φ$"),
+        title=Words("角位移线图 $ψ$–$φ$", "Angular displacement diagram $ψ$–$φ$"),
         called=Words("角位移线图", "the diagram of swings"),
         mu=SWING,
         across=DIVIDED,

@@ -21,7 +21,7 @@ ENERGY = register(
     View(
         name="energy",
         order=72,
-        title=Words("能量线图 $E$–$φ$", "Energy $E$ over $φ$"),
+        title=Words("能量线图 $E$–$φ$", "Energy diagram $E$–$φ$"),
         called=Words("能量线图", "the diagram of the energy"),
         mu=WORK,
         across=TURNED,

@@ -22,7 +22,7 @@ INERTIA = register(
     View(
         name="inertia",
         order=71,
-        title=Words("等效转动惯量线图 $J_e$–$φ$", "Equivalent inertia $J_e$ over $φ$"),
+        title=Words("等效转动惯量线图 $J_e$–$φ$", "Equivalent moment of inertia $J_e$–$φ$"),
         called=Words("等效转动惯量线图", "the diagram of the inertia"),
         mu=MASS,
         across=TURNED,

@@ -21,7 +21,7 @@ TORQUE = register(
     View(
         name="torque",
         order=70,
-        title=Words("力矩线图 $M$–$φ$", "Moments $M$ over $φ$"),
+        title=Words("力矩线图 $M$–$φ$", "Moment diagram $M$–$φ$"),
         called=Words("力矩线图", "the diagram of moments"),
         mu=MOMENT,
         across=TURNED,

@@ -129,7 +129,7 @@ def _swing(study: Study, key: str, before: Ends, after: Ends) -> Words:
 def _greatest(study: Study, key: str, before: Ends, after: Ends) -> Words:
     symbol = study.whole.info(key).symbol
     old, new = (shown(study, key, max(abs(high), abs(low))) for low, high in (before, after))
-    return Words(f"$|{symbol}|$ 最大值由 {old} 变为 {new}", f"the greatest $|{symbol}|$ {new} instead of {old}")
+    return Words(f"$|{symbol}|$ 最大值由 {old} 变为 {new}", f"the maximum $|{symbol}|$ {new} instead of {old}")
 
 
 def trial(study: Study, ways: tuple[tuple[Side, ...], ...], own: str, change: Words, promised: float) -> Words:
@@ -141,7 +141,7 @@ def trial(study: Study, ways: tuple[tuple[Side, ...], ...], own: str, change: Wo
         return Words.same("")
     told = Words(
         f"{change.zh}，这一杆组的最小传动角可提高到 {promised:.1f}°",
-        f"{change.en[0].upper()}{change.en[1:]} would raise the least angle of this group to {promised:.1f}°",
+        f"{change.en[0].upper()}{change.en[1:]} would raise the minimum angle of this group to {promised:.1f}°",
     )
     return told + (_lost_told(known) or _worse_told(study, known[0], own) or _well_told(study, known[0], own))
 

@@ -18,7 +18,7 @@ _EQUAL = 1e-6  # rad
 
 
 def transmission(study: Study, told: Sequence[Transmission]) -> Words:
-    """For every dyad which angle it is, its formula, its least value and the verdict."""
+    """For every dyad which angle it is, its formula, its minimum value and the verdict."""
     dyads = {group.label: group.dyad for group in decompose(study.mech) if group.dyad is not None}
     said = [_one(study, t, dyads[t.links]) for t in told if t.links in dyads]
     right = {t.links for t in study.facts.transmissions if t.least.value > radians(90.0) - 1e-6}
@@ -51,12 +51,12 @@ def _one(study: Study, t: Transmission, d: Dyad) -> Words:
     )
     return Words(
         f"{what.zh}最小传动角为 {least:.1f}°（{where.zh}），{verdict.zh}{top.zh}。",
-        f"{what.en} Its least value is {least:.1f}° at {where.en}, {verdict.en}{top.en}.",
+        f"{what.en} Its minimum value is {least:.1f}° at {where.en}, {verdict.en}{top.en}.",
     )
 
 
 def _square(study: Study, t: Transmission) -> Words:
-    """How often the angle is 90°, its greatest value."""
+    """How often the angle is 90°, its maximum value."""
     side = np.sign(study.turn.real(t.key) - radians(90.0))
     side = side[np.isfinite(side) & (side != 0.0)]
     ring = np.append(side, side[:1]) if study.whole.whole else side

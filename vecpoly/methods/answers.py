@@ -91,8 +91,9 @@ def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 
 def _turn_of_another(desk: Desk, rel: Rel) -> tuple[Node, ...]:
     """Links that turn alike have one turn, which was found of the first: ω_3 = ω_2."""
-    first = next(one for one, turn in desk.turns.items() if turn is desk.turns[rel])
-    return () if first == rel or desk.turns[rel].never else (Txt(" = "), sym(f"{first.kind.stem}_{first.to.link}"))
+    own = desk.turns[rel]
+    first = own.same or next(one for one, turn in desk.turns.items() if turn is own)
+    return () if first == rel or own.never else (Txt(" = "), sym(f"{first.kind.stem}_{first.to.link}"))
 
 
 def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:

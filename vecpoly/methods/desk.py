@@ -30,10 +30,12 @@ def polygon_of(rel: Rel) -> View:
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """ω or α of a link, signed; `never` where the link cannot turn at all (it only translates)."""
+    """ω or α of a link, signed; `never` where the link cannot turn at all (it only translates); `same`: the ω or α that
+    it is."""
 
     value: Reals
     never: bool = False
+    same: Rel | None = None
 
 
 @dataclass(slots=True)

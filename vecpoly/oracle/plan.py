@@ -100,7 +100,7 @@ class Plan:
     def ranges(self, step: Step | None = None) -> Ranges:
         """Ranges of the drive in which everything closes up to and including this step (all of them: None)."""
         plan = self if step is None else self._upto(step)
-        return scan(plan.closes(), self.mech.drive, self.mech.scale)
+        return scan(plan.closes(), self.mech.drive, self.mech.scale, followed=plan.followed)
 
     def _upto(self, step: Step) -> Plan:
         """The plan that ends with this step."""
@@ -111,7 +111,7 @@ class Plan:
 
     def spans(self) -> Spans:
         """Ranges of the drive (rad, or m) in which everything closes."""
-        return spans(self.closes(), self.mech.drive, self.mech.scale)
+        return spans(self.closes(), self.mech.drive, self.mech.scale, followed=self.followed)
 
     def fold(self, step: Hinged | Swinging, q: Reals) -> Reals:
         """How far a further step is from a change point at these positions."""

@@ -61,8 +61,8 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
     data = problem.given.data if data is None else data
     comma = "，" if lang == "zh" else ", "
     given = [as_told(d, lang) for d in data]
-    if isinstance(problem.subject, Mechanism):
-        given.insert(0, pivots(problem.subject).of(lang))
+    if isinstance(problem.subject, Mechanism) and any(problem.subject.frame.values()):
+        given.insert(0, pivots(problem.subject).of(lang))  # a lone pivot at the origin tells nothing
     return {
         "id": problem.id,
         "label": label(problem.id).of(lang),

@@ -25,7 +25,7 @@ from .statement.in_table import in_table
 from .values import value
 
 _PRINTED = {
-    "zh": ("量", "原书", "精确值", "偏差 /%", "结论"),
+    "zh": ("所求量", "原书", "精确值", "偏差 /%", "结论"),
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
 _OFF, _OFF_ANGLE = 3, Words("偏差 /°", "Deviation /°")  # column; the head of that of angles

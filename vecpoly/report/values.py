@@ -105,7 +105,8 @@ def called(symbol: str, key: str, lang: Lang) -> str:
         drivers = key.removeprefix(CLASS).split("+")
         plural = "s" * (len(drivers) > 1)
         return Words(
-            f"机构级别（原动件 {'、'.join(drivers)}）", f"class with link{plural} {' and '.join(drivers)} driving"
+            f"机构级别（原动件 {'、'.join(drivers)}）",
+            f"class with link{plural} {' and '.join(drivers)} as driver{plural}",
         ).of(lang)
     if key.startswith(_GROUPS):
         return Words(f"杆组数 ${symbol}$", f"number of groups ${symbol}$").of(lang)

@@ -21,18 +21,18 @@ _NUMBER = Words("解", "No.")
 _NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
 _SEEN = 0.005  # mm: less is no difference of lengths
 MARGIN = Words("杆长余量", "Margin")
-_ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("同回路同分支", "Same circuit and branch")
+_ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("无回路、分支缺陷", "No circuit or branch defect")
 _GAMMA = Words.same("$γ_{min}$")
 _TYPE = Words("机构类型", "Type")
-_TYPE_OF, _ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("连同杆组整周转动", "All of it turns fully")
+_TYPE_OF, _ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("连同杆组整周转动", "All links rotate fully")
 _MEANT = {  # heads that do not say all
     _ERROR: Words(
         "“杆长相差”为同一杆在各给定位置的最大长度之差",
         "“Length error” is the largest difference of one link's length between the given positions",
     ),
     _CIRCUIT: Words(
-        "“同回路同分支”指机构不拆开即可依次通过各给定位置",
-        "“Same circuit and branch”: the linkage passes through all given positions without being taken apart",
+        "“无回路、分支缺陷”指机构不拆开即可依次通过各给定位置",
+        "“No circuit or branch defect”: the linkage passes through all given positions without being taken apart",
     ),
     MARGIN: Words(
         "“杆长余量”为其余两杆之和减去最短杆与最长杆之和",
@@ -40,7 +40,8 @@ _MEANT = {  # heads that do not say all
     ),
     _ALL_TURNS: Words(
         "“连同杆组整周转动”：四杆机构 $ABCD$ 的曲柄即使能转整周，加装的杆组也未必能随之转满一周",
-        "“All of it turns fully”: what is added to the four-bar $ABCD$ need not follow a full turn of its crank",
+        "“All links rotate fully”: what is added to the four-bar linkage $ABCD$ need not follow a full turn of its "
+        "crank",
     ),
     _GAMMA: Words("$γ_{min}$ 为最小传动角", "$γ_{min}$ is the minimum transmission angle"),
 }
@@ -212,7 +213,7 @@ class _Line:
     def _turning(self) -> _Item:
         """Whether it turns right round, with what is added; of one that does not move with the lengths read, that."""
         ab, added = self.driver, self._added()
-        head = _ALL_TURNS if added else Words(f"原动件 ${ab}$ 整周转动", f"Driver ${ab}$ turns fully")
+        head = _ALL_TURNS if added else Words(f"原动件 ${ab}$ 整周转动", f"Driver ${ab}$ rotates fully")
         if self.moved.broken is not None:
             return _item(head, _BROKEN)
         cell = _YES if self.moved.full else _NO

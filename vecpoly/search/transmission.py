@@ -1,4 +1,4 @@
-"""The crank-rocker with the greatest least transmission angle among all of one K whose swing lies in a range."""
+"""The crank-rocker with the greatest minimum transmission angle among all of one K whose swing lies in a range."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class TransmissionSearch:
         least = min(one.least.value for one in seen.transmissions)
         stroke = seen.strokes[-1]
         return (
-            Measure(name=Words("最小传动角", "least transmission angle"), value=float(np.degrees(least)), unit="deg"),
+            Measure(name=Words("最小传动角", "minimum transmission angle"), value=float(np.degrees(least)), unit="deg"),
             Measure(name=Words("行程速比系数 K", "time ratio K"), value=stroke.ratio, unit=""),
             Measure(name=Words("摆角", "swing"), value=float(np.degrees(stroke.swing)), unit="deg"),
         )

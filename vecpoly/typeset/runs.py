@@ -14,6 +14,7 @@ SCRIPT = 0.7  # size of sub- and superscripts, em
 SUP, SUB, SUB_BOTH = 0.38, 0.17, 0.25  # shifts of the script baselines, em
 SHOWN = str.maketrans({"-": "−", "'": "′", "µ": "μ", "⋅": "·"})
 _UPRIGHT = frozenset("π∞Σ")
+_APART = 0.14  # em between a figure and a Roman number behind it, which else might be one: 1I and 11
 
 
 def run(text: str, face: Face, em: float) -> Box:
@@ -82,6 +83,7 @@ def letters(text: str, em: float, bold: bool) -> Box:
 WORD = pattern(
     r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])"
     r"|II+|I?V(?=I)I+|IV|(?:^|(?<=[a-z]))I(?![A-Z])"
+    r"|(?:(?<=^[0-9])|(?<=^[0-9][0-9])|(?<=^M))I$"  # W_1I beside W_1II, θ_MI beside θ_MII: planes, orders
 )
 NUMBERED = pattern(r"^(?:II+|IV|VI+)$")  # a plane, a shaft, a group
 
@@ -92,6 +94,7 @@ def index(text: str, em: float, bold: bool) -> Box:
     parts, end = list[Box](), 0
     for found in WORD.finditer(text):
         parts += [letters(text[end : found.start()], em, bold)] if found.start() > end else []
+        parts += [Box(_APART * em, 0.0, 0.0, ())] if found.start() and text[found.start() - 1] in "1234567890" else []
         parts.append(run(found[0], roman_or_italic(False, bold), em))
         end = found.end()
     rest = [letters(text[end:], em, bold)] if end < len(text) or not parts else []

@@ -8,6 +8,7 @@ from ...words import Words
 
 _HAN = "\u4e00-\u9fff"
 _BEFORE, _BEHIND = re.compile(rf"(?<=[{_HAN}])$"), re.compile(rf"^(?=[{_HAN}])")
+_SYMBOL = re.compile(r"\$[^$]+\$")
 
 
 def spaced(words: Words) -> Words:
@@ -21,3 +22,8 @@ def spaced(words: Words) -> Words:
         if n:
             pieces[n] = _BEHIND.sub(" ", pieces[n])
     return Words("$".join(pieces), words.en)
+
+
+def shape(words: Words) -> Words:
+    """A sentence without its symbols: what says the same of others has the same shape."""
+    return Words(_SYMBOL.sub("$", words.zh), _SYMBOL.sub("$", words.en))

@@ -142,13 +142,13 @@ def _mm(value: float) -> str:
 def _turning(turning: int, crosses: int) -> Words:
     """How often the tangent turns round in a cycle, and what that makes of the curve."""
     if turning == 0:
-        start = Words("沿曲线一周，切线转过的净角度为 0°", "In one round its tangent turns through 0° in all")
+        start = Words("沿曲线一周，切线转过的净角度为 0°", "Per revolution its tangent turns through 0° in all")
     else:
         sense = Words("逆时针" if turning > 0 else "顺时针", "counter-clockwise" if turning > 0 else "clockwise")
         times = _TIMES.get(abs(turning), f"{abs(turning)} times")
         start = Words(
             f"沿曲线一周，切线{sense.zh}转过 {360 * abs(turning)}°",
-            f"In one round its tangent turns {times} {sense.en}",
+            f"Per revolution its tangent turns {times} {sense.en}",
         )
     if turning == 0 and crosses == 1:
         return start + Words("，曲线呈 8 字形。", ": a figure of eight.")
@@ -163,7 +163,7 @@ def _bends(cycle: Cycle, found: Path) -> list[Words]:
     """Convex everywhere, or bent the other way between points of inflection."""
     if not found.inflections:
         return (
-            [Words("曲线处处外凸，呈卵形。", "It is convex all round: an oval.")]
+            [Words("曲线处处外凸，呈卵形。", "It is a simple closed convex curve.")]
             if abs(found.turning or 0) == 1 and not found.crossings
             else []
         )

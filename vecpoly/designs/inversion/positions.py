@@ -97,8 +97,16 @@ class Positions(Design):
     def given(self) -> tuple[tuple[str, str], ...]:
         """The pins, the lines."""
         pins = tuple((letter, place.text) for letter, place in (*self.body.items(), *self.frame.items()))
-        lines = tuple(said(letter, line) for letter in "ABCD" if (line := self._line(letter)))
-        return (*pins, *lines)
+        lines = [
+            (letter, line) for letter in "ABCD" if (line := self._line(letter)) and letter not in self._on_body_line
+        ]
+        return (*pins, *(said(letter, line) for letter, line in lines))
+
+    @property
+    def _on_body_line(self) -> list[str]:
+        """Pins of the body that lie on its line PQ."""
+        moving = [(letter, self._line(letter)) for letter in _MOVING.values()]
+        return [one for one, line in moving if line is not None and line.along.real and not line.at and not self.body]
 
     def told(self) -> tuple[Words, ...]:
         """The positions: of a point and a line of the body; of its coordinates where two pins of its own are given in
@@ -106,7 +114,10 @@ class Positions(Design):
         poses = enumerate(self.poses, 1)
         if len(self.body) == 2:
             return tuple(_posed(n, pose, _ORIGIN, _ACROSS) for n, pose in poses)
-        return (_LINED, *(_posed(n, pose, Words.same("$P$"), Words.same("$PQ$")) for n, pose in poses))
+        posed = (_posed(n, pose, Words.same("$P$"), Words.same("$PQ$")) for n, pose in poses)
+        pins = [f"${letter}$" for letter in self._on_body_line]
+        lie = Words(f"{'、'.join(pins)} 在直线 $PQ$ 上", f"{' and '.join(pins)} on the line $PQ$")
+        return (_LINED, *posed, *([lie] if pins else []))
 
     @property
     def size(self) -> float:
@@ -133,8 +144,8 @@ class Positions(Design):
 
 
 _LINED = Words(
-    f"平面 ${_BODY}$ 以其上一点 $P$ 和过 $P$ 的标线 $PQ$ 表示（$PQ$ 的长度任取）",
-    f"the body ${_BODY}$ is shown by its point $P$ and a line $PQ$ of any length",
+    f"平面 ${_BODY}$ 以其上的标线 $PQ$ 表示（$PQ$ 的长度任取）",
+    f"the body ${_BODY}$ is represented by a line $PQ$ on it, whose length may be chosen freely",
 )
 _ORIGIN = Words(f"${_BODY}$ 的动坐标原点", f"the origin of ${_BODY}$")
 _ACROSS = Words("动坐标轴 $x′$", "its axis $x′$")

@@ -14,7 +14,7 @@ from .assembling import Assembly
 from .chain import chain
 from .plan import Find, Plan
 from .step import Step
-from .written import Direction, Place
+from .written import Direction, Place, told_angle
 
 
 class Stages(Design):
@@ -48,9 +48,7 @@ class Stages(Design):
         """Pivots, lengths, rays and points."""
         pins = tuple((letter, place.text) for letter, place in self.frame.items())
         links = tuple((f"l_{{{letters}}}", length.text) for letters, length in self.links.items())
-        rays = tuple(
-            (f"φ_{{{letters}}}", ", ".join(angle.text for angle in angles)) for letters, angles in self.rays.items()
-        )
+        rays = tuple((f"φ_{{{letters}}}", ", ".join(map(told_angle, angles))) for letters, angles in self.rays.items())
         points = tuple(
             (f"{letter}_{{{n}}}", place.text)
             for letter, places in self.points.items()

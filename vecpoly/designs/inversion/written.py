@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from cmath import exp
 from dataclasses import dataclass
-from math import asin, inf
+from math import asin, degrees, inf
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
@@ -136,6 +136,11 @@ def _unread(written: object, what: Words, example: str) -> FaultError:
 def on(line: Carried) -> On:
     """A written line as one of the plan."""
     return On(through=line.at, along=line.along)
+
+
+def told_angle(angle: Quantity) -> str:
+    """As it is written; what was worked out, 90 deg - asin(30 mm / 100 mm), to a tenth of a degree."""
+    return f"{degrees(angle.si):.1f} deg" if "(" in angle.text else angle.text
 
 
 def said(letter: str, line: Carried) -> tuple[str, str]:

@@ -29,6 +29,6 @@ def corners_noted(pieces: Sequence[Piece]) -> tuple[Words, ...]:
         Words(
             f"φ = {zh} 处速度突减，理论廓线有外凸的尖点，该处曲率半径为零；ρ_min 是尖点以外各段的最小曲率半径",
             f"at φ = {en} the velocity drops at once and the pitch curve has an outward corner, of no radius; "
-            "ρ_min is the least radius of curvature of the parts between corners",
+            "ρ_min is the minimum radius of curvature of the parts between corners",
         ),
     )

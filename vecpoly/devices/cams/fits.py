@@ -23,12 +23,12 @@ def first_angle(r0: Quantity, arm: Arm, *, flat: bool = False) -> float:
 
 
 def may_be_sized(follower: Follower) -> None:
-    """The least base circle is sought of a guided follower whose offset is free."""
+    """The minimum base circle is sought of a guided follower whose offset is free."""
     if follower.flat or follower.arm or follower.offset:
         raise FaultError(
             Words(
                 "由 alpha 求最小基圆只用于直动尖顶或滚子从动件，偏距一并求出；请略去 flat、arm、offset",
-                "the least base circle is found for a translating knife edge or roller, together with its "
+                "the minimum base circle is found for a translating knife edge or roller, together with its "
                 "offset; leave out flat, arm and offset",
             ),
             code="contradiction",

@@ -20,7 +20,7 @@ IN_LINE = 1e-9  # of the distance of the hinges: a mass so near to their line, a
     group="sliding link",
     source=_SOURCE,
     example="balance-slider-crank",
-    title=Words("平动构件的质量集中到铰链", "The mass of a link that only translates, at its hinge"),
+    title=Words("平动构件的质量集中到铰链", "Mass of a link that only translates, at its pin"),
 )
 def whole(here: Weighing, of: Passing) -> None:
     """A link that never turns moves like any of its points: its mass may stand at its hinge."""
@@ -29,7 +29,7 @@ def whole(here: Weighing, of: Passing) -> None:
     here.desk.board.step(
         Words(
             f"构件 {number} 只作平动，其质量可看作集中在铰链 ${point}$。",
-            f"Link {number} only translates: its mass may be thought at the hinge ${point}$.",
+            f"Link {number} only translates: its mass may be concentrated at the pin ${point}$.",
         ),
         View.MECHANISM,
     )
@@ -42,7 +42,7 @@ def whole(here: Weighing, of: Passing) -> None:
     group="link between hinges",
     source=_SOURCE,
     example="balance-four-bar",
-    title=Words("构件的质量代换到两铰链", "The mass of a link at two of its hinges"),
+    title=Words("构件的质量代换到两铰链", "Mass of a link, distributed to two of its pins"),
 )
 def shares(here: Weighing, of: Passing) -> None:
     """m_B = m l_CS / l_BC, m_C = m l_BS / l_BC; off the line BC these products are turned, m_B by the angle BCS."""
@@ -52,7 +52,7 @@ def shares(here: Weighing, of: Passing) -> None:
         board.step(
             Words(
                 f"构件 {number} 的质量就在铰链 ${out.point}$ 处。",
-                f"The mass of link {number} is at its hinge ${out.point}$ already.",
+                f"The mass of link {number} is at its pin ${out.point}$ already.",
             ),
             View.MECHANISM,
         )
@@ -93,8 +93,8 @@ def _share(here: Weighing, of: Passing, one: Stand, out: Outlet, other: Outlet) 
     board.remark(
         Words(
             f"（质心不在两铰链之间的连线上：${_sym(label)}$ 的质径积须自半径方向转过 $∠{letters}$。）",
-            f" (The mass is not between the hinges on their line: the product of ${_sym(label)}$ is to be turned from "
-            f"its radius by the angle ${letters}$.)",
+            f" (The mass does not lie between the pins on their line: the product of ${_sym(label)}$ is to be turned "
+            f"from its radius by the angle ${letters}$.)",
         )
     )
     return replace(found, turn=turn if one.turn is None else one.turn + turn)

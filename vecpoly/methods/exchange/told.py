@@ -12,6 +12,8 @@ from ...words import Words
 from ..registry import Stage
 from .trial import Trial
 
+ROUNDING = 1e-12  # of the accelerations that the velocity alone makes
+
 
 def said(trial: Trial, rated: Drive) -> dict[Stage, Words]:
     """What is said at the beginning of each stage."""
@@ -19,7 +21,7 @@ def said(trial: Trial, rated: Drive) -> dict[Stage, Words]:
         Stage.POSITION: _placed(trial, rated),
         Stage.VELOCITY: _rated(trial.drive, rated),
         Stage.CENTRES: _rated(trial.drive, rated),
-        Stage.ACCELERATION: _accelerated(trial.drive, rated),
+        Stage.ACCELERATION: _accelerated(trial, rated),
     }
 
 
@@ -67,14 +69,15 @@ def _rated(drive: Drive, rated: Drive) -> Words:
     )
 
 
-def _accelerated(drive: Drive, rated: Drive) -> Words:
+def _accelerated(trial: Trial, rated: Drive) -> Words:
     """The acceleration: what is missing at α = 0, by the same proportion."""
-    link, rate = rated.link, "a" if rated.slide else "α"
+    drive, link, rate = trial.drive, rated.link, "a" if rated.slide else "α"
     own, given = _units(rated)[1], _units(drive)[1]
+    size, factor = rated.rate**2 / (trial.mech.scale if rated.slide else 1.0), _factor(drive, rated)
     even = (
-        f"{number(drive.accel - rated.accel * _factor(drive, rated), 4)} {given}",
+        f"{_beside(drive.accel - rated.accel * factor, size * factor)} {given}",
         f"{number(drive.accel, 4)} {given}",
-        f"${rate}_{link}$ = {number(rated.accel, 4)} {own}",
+        f"${rate}_{link}$ = {_beside(rated.accel, size)} {own}",
     )
     return Words(
         f"先取 ${rate}_{link}$ = 0 试作加速度多边形，得输入的加速度为 {even[0]}，实际为 {even[1]}；"
@@ -83,6 +86,11 @@ def _accelerated(drive: Drive, rated: Drive) -> Words:
         f"{even[0]}; it is {even[1]}. The rest is proportional to ${rate}_{link}$ by the "
         f"factor of the velocities, so {even[2]}.",
     )
+
+
+def _beside(value: float, size: float) -> str:
+    """The number as it is printed; what is rounding beside this size is 0."""
+    return number(value if abs(value) > ROUNDING * abs(size) else 0.0, 4)
 
 
 def _tried(trial: Trial, rated: Drive) -> tuple[str, str]:

@@ -20,7 +20,7 @@ from .period import Period
 from .scales import ENERGY, TORQUE, Sizes
 
 RAYS = Words("极点与射线", "Pole and rays")
-TITLE = Words("能量线图（图解积分）", "Energy over the angle (graphical integration)")
+TITLE = Words("能量线图（图解积分）", "Energy versus angle (graphical integration)")
 STRIP = np.radians(15.0)
 STEEP, NARROWER = 0.15, 2  # of the range of the moments: what changes more in a strip halves it; so often at most
 SAME = 1e-9

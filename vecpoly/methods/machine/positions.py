@@ -26,7 +26,7 @@ def draw_positions(period: Period, sizes: Sizes) -> None:
             f"取原动件的 {count} 个等分位置，用同样的方法在各位置作速度多边形，求得 $J_e$ 和各已知力（矩）的 $M_e$"
             "（逆时针为正），列成表，并按 $μ_J$、$μ_φ$ 作 $J_e$–$φ$ 线图。",
             f"In {count} equal positions of the driving link draw the velocity polygon in the same way; $J_e$, and "
-            "$M_e$ of the given loads (counter-clockwise positive), are in the table. Plot $J_e$ over $φ$ to the "
+            "$M_e$ of the given loads (counter-clockwise positive), are in the table. Plot $J_e$ versus $φ$ to the "
             "scales $μ_J$ and $μ_φ$.",
         ),
         pane,

@@ -151,7 +151,7 @@ def _missed(left: float, whole: float) -> Words:
         return Words("各功之和为零。", " Their sum is zero.")
     return Words(
         f"各功之和应为零，读数之差 {number(left)} J 按大小分摊。",
-        f" Their sum should be zero; the error of reading of {number(left)} J is distributed in proportion to "
+        f" Their sum should be zero; the reading error of {number(left)} J is distributed in proportion to "
         "their sizes.",
     )
 
@@ -181,7 +181,7 @@ def _bar(period: Period, sizes: Sizes, works: tuple[Reals, ...], letters: tuple[
             "最小，两者之差即最大盈亏功。",
             "Draw the energy-fluctuation diagram: beginning at the base line, lay off the works one after the other, "
             "surpluses upwards and deficits downwards; the last one ends on the base line. The kinetic energy is "
-            "greatest at the highest point and least at the lowest; their difference is the greatest surplus of work.",
+            "greatest at the highest point and least at the lowest; their difference is the maximum surplus of work.",
         ),
         pane,
     )

@@ -49,7 +49,7 @@ def draw_loop(period: Period, sizes: Sizes, energies: Energies, contacts: tuple[
         Words(
             "将 $J_e$–$φ$ 图转过 90°，与 $E$–$φ$ 图逐点对应，作出 $E$–$J_e$ 曲线（能量–质量图）。",
             "Turn the $J_e$–$φ$ diagram by 90° and combine it with the $E$–$φ$ diagram point by point: the loop of $E$ "
-            "over $J_e$.",
+            "versus $J_e$.",
         ),
         pane,
     )
@@ -89,7 +89,7 @@ def _speeds(period: Period, pane: Pane) -> None:
         Words(
             f"由 $ω_m$ 和 $δ$ 得最大、最小角速度，作斜率为 $½ω²$ ${mass}/{energy}$ 的两条切线（上切、下切），与"
             " $J_e$ = 0 的纵轴交于 $a$、$b$。载荷突变处的尖点也算切点。",
-            "The values $ω_m$ and $δ$ give the greatest and the least speed. Draw the tangents of slope $½ω²$ "
+            "The values $ω_m$ and $δ$ give the maximum and the minimum speed. Draw the tangents of slope $½ω²$ "
             f"${mass}/{energy}$, one above the loop and one below it; they cut the axis $J_e$ = 0 in $a$ and $b$. A "
             "corner, where a load jumps, may be touched as well.",
         ),
@@ -119,8 +119,9 @@ def _flywheel(period: Period, pane: Pane, a: Points, b: Points) -> None:
     assert run is not None and run.delta is not None
     board.step(
         Words(
-            "飞轮转动惯量由纵轴上的截距 $ab$ 精确求得（计入 $J_e$ 的变化）：",
-            "The flywheel follows exactly, with the changes of $J_e$, from the length $ab$ on the axis:",
+            "飞轮转动惯量由纵轴上的截距 $ab$ 求得（计入 $J_e$ 的变化）：",
+            "The moment of inertia of the flywheel follows from the intercept $ab$ on the axis; the variation of $J_e$ "
+            "is included:",
         ),
         pane,
     )
@@ -150,7 +151,7 @@ def keep_areas(period: Period, surplus: Quantity) -> None:
     period.board.step(
         Words(
             "若略去 $J_e$ 的变化，由最大盈亏功近似求飞轮转动惯量 $J_F$：",
-            "If the variation of $J_e$ is neglected, the greatest surplus of work gives $J_F$ approximately:",
+            "If the variation of $J_e$ is neglected, the maximum surplus of work gives $J_F$ approximately:",
         )
     )
     mean = magnitude("ω_m", run.speed, "rad/s")

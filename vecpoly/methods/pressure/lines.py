@@ -27,7 +27,7 @@ def along_rod(desk: Desk, driven: Driven) -> Points:
     line, by, on = f"{driven.press}{driven.at}", bodily(desk, driven.by), bodily(desk, driven.link)
     desk.board.step(
         Words(
-            f"不计重力和摩擦，{by.zh}为二力杆，给从动件（{on.zh}）的力沿 ${line}$，作用于 ${driven.at}$ 点。",
+            f"不计重力和摩擦，{by.zh}为二力杆，作用于从动件（{on.zh}）的力沿 ${line}$，作用于 ${driven.at}$ 点。",
             f"Without weight and friction {by.en} is a two-force member: its force on {on.en} acts along ${line}$ at "
             f"${driven.at}$.",
         ),
@@ -52,8 +52,8 @@ def across_guide(desk: Desk, driven: Driven) -> Points:
     track = Words("固定导路", "fixed guide") if fixed else Words(f"{guide.zh}的滑道", f"slideway of {guide.en}")
     desk.board.step(
         Words(
-            f"不计重力和摩擦，{by.zh}（{block_of(driven).zh}）只受两力，移动副中的力垂直于{track.zh}，故给从动件"
-            f"（{on.zh}）的力过 ${driven.at}$ 点，沿{track.zh}的法线。",
+            f"不计重力和摩擦，{by.zh}（{block_of(driven).zh}）只受两力，移动副中的力垂直于{track.zh}，故作用于从"
+            f"动件（{on.zh}）的力过 ${driven.at}$ 点，沿{track.zh}的法线。",
             f"Without weight and friction two forces act on {by.en} ({block_of(driven).en}), and that of the sliding "
             f"pair is normal to the {track.en}: the force on {on.en} acts at ${driven.at}$ along this normal.",
         ),

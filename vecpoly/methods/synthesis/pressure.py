@@ -1,4 +1,4 @@
-"""The greatest pressure angle of a slider-crank: drawn with the crank square to the guide, away from it."""
+"""The maximum pressure angle of a slider-crank: drawn with the crank square to the guide, away from it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SHORT = 1e-6  # mm: C′ below B′
 def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: Quantity) -> Reals:
     """α_max in degrees: between the coupler and the guide, B′ being as far from the guide as it gets."""
     board = draft.board
-    place = board.open_pane(View.MECHANISM, f"alpha {draft.number}", Words("最大压力角", "Greatest pressure angle"))
+    place = board.open_pane(View.MECHANISM, f"alpha {draft.number}", Words("最大压力角", "Maximum pressure angle"))
     board.step(
         Words(
             "曲柄垂直于导路且 $B$ 离导路最远时压力角最大。按各杆长度作此位置，量连杆与导路的夹角。",

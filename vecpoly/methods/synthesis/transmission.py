@@ -1,4 +1,4 @@
-"""The least transmission angle of a crank-rocker: drawn with the crank on the line of the frame, both ways."""
+"""The minimum transmission angle of a crank-rocker: drawn with the crank on the line of the frame, both ways."""
 
 from __future__ import annotations
 
@@ -46,14 +46,14 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
     """γ = ∠BCD, or 180° − ∠BCD where that is obtuse, at B′ on AD and at B″ on DA produced; the lesser is γ_min."""
     board, n = draft.board, draft.number
     which = Words.same("") if draft.alone else Words(f"（解 {n}）", f" (solution {n})")
-    title = Words("最小传动角", "Least transmission angle") + which
+    title = Words("最小传动角", "Minimum transmission angle") + which
     place = board.open_pane(View.MECHANISM, f"{NAME} {n}", title, _scale(draft, crank, coupler))
     to = _told(draft, place)
     board.step(
         Words(
             f"最小传动角出现在曲柄与机架共线的两位置之一。按各杆长度{to.zh}作此两位置，量 $∠BCD$；若为钝角，取其补角。",
             "The transmission angle is least in one of the two positions in which the crank is in line with the "
-            f"frame. Draw both with the lengths of the links{to.en} and read $∠BCD$; of an obtuse one take the "
+            f"frame. Draw both with the lengths of the links{to.en} and read $∠BCD$; if it is obtuse, take its "
             "supplement.",
         ),
         place,

@@ -17,30 +17,41 @@ Ranges = tuple[str, ...]
 Spans = tuple[tuple[float, float], ...]
 Closes = Callable[[Reals], NDArray[np.bool_]]
 SAMPLES, HALVINGS = 1440, 40
+WHOLE = 2 * np.pi
 TOLD = 20  # halvings for ends that are told with two decimals
 BESIDE = 1e-6  # rad, or m: just before and after a position
 SEARCHED = 4.0  # scales to either side of a sliding drive's own position
 
 
-def scan(closes: Closes, drive: Drive, scale: float) -> Ranges:
-    """Ranges of the drive that close, as text: degrees within 0..360, or mm along the guide."""
-    return tuple(_text(a, b, drive.slide) for a, b in spans(closes, drive, scale, TOLD))
+def scan(closes: Closes, drive: Drive, scale: float, *, followed: bool) -> Ranges:
+    """Ranges of the drive that close, as text: degrees from 0..360 on, or mm along the guide."""
+    return tuple(_text(a, b, drive.slide) for a, b in spans(closes, drive, scale, TOLD, followed=followed))
 
 
-def spans(closes: Closes, drive: Drive, scale: float, halvings: int = HALVINGS) -> Spans:
-    """Ranges of the drive (rad, or m along the guide) that close.
+def spans(closes: Closes, drive: Drive, scale: float, halvings: int = HALVINGS, *, followed: bool = False) -> Spans:
+    """Ranges of the drive (rad, or m along the guide) that close; followed: along a path from the own position.
 
-    Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection.
+    Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection. Angles begin
+    within 0..360.
     """
-    low, high = (
-        (drive.position - SEARCHED * scale, drive.position + SEARCHED * scale) if drive.slide else (0.0, 2 * np.pi)
-    )
+    low, high = (drive.position - SEARCHED * scale, drive.position + SEARCHED * scale) if drive.slide else (0.0, WHOLE)
     if drive.slide and drive.between and drive.position > 0:
         low = max(low, 0.0)  # a cylinder has no negative length
+    found = _closed(closes, low, high, halvings)
+    if drive.slide or not found:
+        return found
+    first, last = found[0][0] == low, found[-1][1] == high
+    if followed and first != last:
+        return _beyond(closes, drive.position, halvings)
+    if first and last and len(found) > 1:
+        return (*found[1:-1], (found[-1][0], found[0][1] + WHOLE))  # one range across 0
+    return found
+
+
+def _closed(closes: Closes, low: float, high: float, halvings: int) -> Spans:
+    """The ranges between these positions."""
     q = np.linspace(low, high, SAMPLES + 1)
     good = closes(q)
-    if not good.any():
-        return ()
     change = np.flatnonzero(good[1:] != good[:-1])
     inside = np.where(good[change], q[change], q[change + 1])
     outside = np.where(good[change], q[change + 1], q[change])
@@ -49,10 +60,15 @@ def spans(closes: Closes, drive: Drive, scale: float, halvings: int = HALVINGS) 
         fits = closes(middle)
         inside, outside = np.where(fits, middle, inside), np.where(fits, outside, middle)
     ends = [*([low] if good[0] else []), *inside.tolist(), *([high] if good[-1] else [])]
-    pairs = list(zip(ends[::2], ends[1::2], strict=True))
-    if not drive.slide and len(pairs) > 1 and good[0] and good[-1]:
-        pairs = [*pairs[1:-1], (pairs[-1][0], pairs[0][1] + 2 * np.pi)]  # one range across 0
-    return tuple(pairs)
+    return tuple(zip(ends[::2], ends[1::2], strict=True))
+
+
+def _beyond(closes: Closes, own: float, halvings: int) -> Spans:
+    """The range about the own position, of a mechanism that is followed along a path from there: it leads across 0 on
+    one side and breaks off on the other, so that 0 and a whole turn are not one. It begins within 0..360."""
+    low, high = (_closed(closes, own - WHOLE, own, halvings)[-1][0], _closed(closes, own, own + WHOLE, halvings)[0][1])
+    turn = WHOLE * float(np.floor(low / WHOLE))
+    return ((low - turn, high - turn),)
 
 
 def _text(low: float, high: float, slide: bool) -> str:

@@ -63,7 +63,7 @@ def _no_best(design: CrankRocker) -> AssemblyError:
         return AssemblyError(
             Words(
                 "K = 1 时 γ_min 随连杆加长而一直增大，没有最大值（AB = C₁C₂/2 不变）；请给定 BC、AD 或 gamma_min",
-                "with K = 1, γ_min grows as the coupler gets longer and has no greatest value (AB = C₁C₂/2 with any of "
+                "with K = 1, γ_min grows as the coupler gets longer and has no maximum value (AB = C₁C₂/2 with any of "
                 "them); give BC, AD or gamma_min",
             ),
             code="no-solution",
@@ -71,7 +71,7 @@ def _no_best(design: CrankRocker) -> AssemblyError:
     return AssemblyError(
         Words(
             "γ_min 随 l_AB 减小而一直增大，没有最大值；请给定 AB 或 gamma_min",
-            "γ_min grows as the crank gets shorter and has no greatest value; give AB, or gamma_min",
+            "γ_min grows as the crank gets shorter and has no maximum value; give AB, or gamma_min",
         ),
         code="no-solution",
     )

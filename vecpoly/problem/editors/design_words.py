@@ -25,11 +25,11 @@ DESIGNS = {
     "crank-rocker.AD": Words("机架长", "the frame"),
     "crank-rocker.AB": Words("曲柄长", "the crank"),
     "crank-rocker.BC": Words("连杆长", "the coupler"),
-    "crank-rocker.gamma_min": Words("最小传动角", "least transmission angle"),
+    "crank-rocker.gamma_min": Words("最小传动角", "minimum transmission angle"),
     "crank-rocker.A": Words(
         "A 所在的直线，如 on y = -20 mm（D 为原点）", "the line of A, D being the origin: on y = -20 mm"
     ),
-    "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the greatest minimum transmission angle"),
+    "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the maximum minimum transmission angle"),
     "slider-crank.take": _TAKE,
     "slider-crank.omega": _OMEGA,
     "slider-crank.K": _K,

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TypeVar
 
 from ...errors import FaultError
+from ...foundation.slotted import replace
 from ...mechanism.loads import Mass, Rod
 from ...mechanism.model import FRAME, ByOffsets
 from ...units.reading import Dim, Quantity, positive, read
@@ -31,7 +32,19 @@ def read_masses(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[tupl
             mass, told = _mass(link, one, bodies)
             masses.append(mass)
             data.extend(told)
-    return tuple(masses), tuple(data)
+    bars = [mass for mass in masses if mass.rod is not None]
+    return tuple(masses), (*_of_one_steel(data), *([Datum(words=_bar_words(bars, bodies))] if bars else []))
+
+
+def _of_one_steel(data: Sequence[Datum]) -> Iterator[Datum]:
+    """The density of all round bars once, where it is one."""
+    densities = [one for one in data if one.symbol.startswith("ρ")]
+    same = len(densities) > 1 and len({one.si for one in densities}) == 1
+    for one in data:
+        if one not in densities or not same:
+            yield one
+        elif one is densities[0]:
+            yield replace(one, symbol="ρ")
 
 
 def _mass(link: str, spec: MassSpec, bodies: Bodies) -> tuple[Mass, tuple[Datum, ...]]:
@@ -142,7 +155,8 @@ def _rod(draft: Draft, spec: RodSpec) -> tuple[Mass, tuple[Datum, ...]]:
     draft.points[letter] = middle
     draft.placements.append(ByOffsets(point=letter, base=(first, second), along=abs(span) / 2))
     mass = Mass(link=draft.name, mass=bar.mass, inertia=bar.inertia(bar.mass), centre=letter, rod=bar)
-    return mass, (Datum(words=_bar_words(mass, f"{first}{second}", diameter.text, written(density.text))),)
+    told = ((f"d_{draft.name}", diameter), (f"ρ_{draft.name}", density))
+    return mass, tuple(Datum(symbol=symbol, si=one.si, text=written(one.text)) for symbol, one in told)
 
 
 def _ends(draft: Draft, text: str | None) -> tuple[str, str]:
@@ -155,11 +169,16 @@ def _ends(draft: Draft, text: str | None) -> tuple[str, str]:
     return first, second
 
 
-def _bar_words(mass: Mass, length: str, diameter: str, density: str) -> Words:
-    """The bar; what follows from it is worked out in the solution."""
-    spot = f"S_{mass.link}"
+def _bar_words(bars: Sequence[Mass], bodies: Bodies) -> Words:
+    """The round bars, all at once; what follows from them is worked out in the solution."""
+    links, spots, lines = [one.link for one in bars], [], []
+    for one in bars:
+        ends = next(p.base for p in bodies.draft(one.link).placements if p.point == one.centre)
+        spots.append(f"$S_{one.link}$")
+        lines.append(f"${''.join(ends)}$")
+    many = len(bars) > 1
     return Words(
-        f"构件 {mass.link} 为圆杆，$d$ = {diameter}，$ρ$ = {density}，质心 ${spot}$ 在 ${length}$ 中点",
-        f"link {mass.link} is a round bar, $d$ = {diameter}, $ρ$ = {density}, its centre of mass "
-        f"${spot}$ in the middle of ${length}$",
+        f"构件 {'、'.join(links)} 为圆截面杆，质心 {'、'.join(spots)} {'分别' * many}在 {'、'.join(lines)} 的中点",
+        f"link{'s' * many} {', '.join(links)} {'are' if many else 'is a'} round bar{'s' * many} with the "
+        f"centre{'s' * many} of mass {', '.join(spots)} in the middle of {', '.join(lines)}",
     )

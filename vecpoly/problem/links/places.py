@@ -136,14 +136,12 @@ def _note_offsets(
         line, line_en = (
             (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$")
             if len(along) == 1
-            else (f"${along}$", f"${along}$")
+            else (f" ${along}$ ", f"${along}$")
         )
         draft.say(
             Words(
-                f"自 ${point}$ 作{line}的垂线，垂足{'在其反向延长线上，' if at.si < 0 else ''}"
-                f"距 ${origin}$ {distance}，${point}$ 位于{line}{zh}侧 {away}",
-                f"the foot of ${point}$ on {line_en}{produced.en} is {distance} from ${origin}$ and "
-                f"${point}$ lies {away} to its {en}",
+                f"${point}$ 沿{line}{'的反向延长线' if at.si < 0 else ''}距 ${origin}$ {distance}，位于其{zh}侧 {away}",
+                f"${point}$ lies {distance} from ${origin}$ along {line_en}{produced.en} and {away} to its {en}",
             )
         )
 

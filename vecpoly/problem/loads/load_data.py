@@ -77,12 +77,33 @@ def _on(load: Load, direction: str) -> Words:
 def _way(load: Force, direction: str) -> Words:
     """Its direction: an angle, or from one point of its link to another."""
     if load.along is None:
-        return Words(f"方向角 {direction}", f"direction {direction}")
+        return _towards(direction)
     start, end = load.along
     return Words(
         f"方向由 ${start}$ 指向 ${end}$，随构件 {load.link} 转动",
         f"directed from ${start}$ to ${end}$, turning with link {load.link}",
     )
+
+
+_SQUARE = (
+    Words("水平向右", "directed horizontally to the right"), Words("竖直向上", "directed vertically upwards"),
+    Words("水平向左", "directed horizontally to the left"), Words("竖直向下", "directed vertically downwards"),
+)  # fmt: skip
+_SLANTED = (Words("右上", "upwards to the right"), Words("左上", "upwards to the left"),
+            Words("左下", "downwards to the left"), Words("右下", "downwards to the right"))  # fmt: skip
+_DEGREES = re.compile(r"\s*(\d+(?:\.\d+)?)\s*(?:deg|°)\s*")
+
+
+def _towards(direction: str) -> Words:
+    """30 deg: upwards to the right, at 30° to the horizontal; as it is written where that is no plain angle."""
+    found = _DEGREES.fullmatch(direction)
+    if found is None or Decimal(found[1]) >= 360:
+        return Words(f"方向角 {direction}", f"direction {direction}")
+    quarter, rest = divmod(Decimal(found[1]), 90)
+    if not rest:
+        return _SQUARE[int(quarter)]
+    way, off = _SLANTED[int(quarter)], f"{90 - rest if quarter in (1, 3) else rest} deg"
+    return Words(f"指向{way.zh}方，与水平线成 {off}", f"directed {way.en} at {off} to the horizontal")
 
 
 _ROLE = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting": Words("阻", "resisting ")}

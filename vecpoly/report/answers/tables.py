@@ -25,7 +25,7 @@ from .placed import ALIGN_PLACES, PLACES, angle, clean, endless, gaps, place_row
 _DIRECTION, _DEVIATION = Words("方向", "Direction"), Words("偏差", "Deviation")
 _EXPECTED = Words("预期误差", "Expected error")
 _HEADS = (
-    Words("量", "Quantity"),
+    Words("所求量", "Quantity"),
     Words("单位", "Unit"),
     Words("图上长度 /mm", "On paper /mm"),
     Words("比例尺", "Scale"),

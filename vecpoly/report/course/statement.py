@@ -25,7 +25,7 @@ _MANY, _FEW = 7, 3  # data that make a table, and at least in a column of it
 _NUMBER = re.compile(r"(−?[\d.]+)(°| [^\d（(]*\S(?: ?[（(].*)?)?")
 _DATA = Words("已知数据", "The data")
 _TABLE = Words("给定的数据", "What is given by a table")
-_HEADS = {"zh": ("量", "数值", "单位"), "en": ("Quantity", "Value", "Unit")}
+_HEADS = {"zh": ("已知量", "数值", "单位"), "en": ("Quantity", "Value", "Unit")}
 
 
 def task(study: Study, press: Press) -> dict[str, Any]:

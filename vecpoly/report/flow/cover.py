@@ -15,8 +15,10 @@ from .blocks import Drawing, SheetPage
 from .style import BODY
 
 TITLE_FIELDS = ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期")
-_LABEL, _BLANK, _ROW = 30.0, 62.0, 11.0  # mm
-_WIDEST, _RULE = 160.0, 140.0  # mm of a title, of the rules about it
+_LABEL, _BLANK, _ROW, _LAST = 30.0, 62.0, 9.5, 34.0  # mm; of the last blank from the foot of the page
+_WIDEST, _RULE = 136.0, 140.0  # mm of a title, of the rules about it
+_KIND, _TITLE, _UNDER, _RULES = 35.0, 56.0, 69.0, (44.5, 76.0)  # mm from the head of the page
+_CLEAR = 8.0  # mm above the uppermost blank
 
 
 class Cover(SheetPage):
@@ -36,26 +38,33 @@ class Cover(SheetPage):
         self._page(self.canv, 0.0, 0.0)
 
     def _page(self, canvas: Any, x: float, y: float) -> None:
-        ink, tree, width = Ink(canvas), tree_of(canvas), canvas._pagesize[0]
+        ink, tree, (width, height) = Ink(canvas), tree_of(canvas), canvas._pagesize[:2]
+        top = height / MM
         for text, em, at, role in (
-            (self.kind, 6.2, 247.0, Role.P),
-            (self.title, 8.6, 226.0, Role.H1),
-            (self.subtitle, 4.4, 213.0, Role.P),
+            (self.kind, 6.2, top - _KIND, Role.P),
+            (self.title, 8.6, top - _TITLE, Role.H1),
+            (self.subtitle, 4.4, top - _UNDER, Role.P),
         ):
             ink.under(tree.opener(Tag(role)))
-            _centred(ink, text, em, (width / MM / 2, at), bold=at > 220.0)
+            _centred(ink, text, em, (width / MM / 2, at), bold=text != self.subtitle)
         left = (width - _RULE * MM) / 2
-        ink.rule(left, 237.5 * MM, _RULE * MM, 0.9)
-        ink.rule(left, 206.0 * MM, _RULE * MM, 0.45)
+        for down, heavy in zip(_RULES, (0.9, 0.45), strict=True):
+            ink.rule(left, (top - down) * MM, _RULE * MM, heavy)
         if self.figure is not None:
             self.figure.wrap(width, 0.0)
             wide, high = self.figure.size
-            self.figure.draw_bare(canvas, (width - wide) / 2, (147.0 * MM) - high / 2)
+            middle = (top - _RULES[-1] + self._uppermost + _CLEAR) / 2
+            self.figure.draw_bare(canvas, (width - wide) / 2, middle * MM - high / 2)
         self._fields(ink, tree, width)
         ink.flush()
 
+    @property
+    def _uppermost(self) -> float:
+        """The height of the first blank (mm)."""
+        return _LAST + _ROW * (len(self.fields) - 1)
+
     def _fields(self, ink: Ink, tree: Tree, width: float) -> None:
-        left, top = (width / MM - _LABEL - _BLANK) / 2, 34.0 + _ROW * (len(self.fields) - 1)
+        left, top = (width / MM - _LABEL - _BLANK) / 2, self._uppermost
         for i, (label, value) in enumerate(self.fields):
             y = top - i * _ROW
             ink.under(tree.opener(Tag(Role.P)))

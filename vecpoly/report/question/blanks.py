@@ -107,7 +107,8 @@ def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
 
 def _named(one: Answer, symbol: str, solution: Solution, lang: Lang) -> str:
     """Its symbol, with what it is where a machine is reduced or balanced: no drawing shows that."""
-    meant = of_machines(one.reading.key, f"${symbol}$") if isinstance(solution.problem.subject, Mechanism) else None
+    machine = isinstance(solution.problem.subject, Mechanism)
+    meant = of_machines(solution.problem, one.reading.key, f"${symbol}$") if machine else None
     return called(symbol, one.reading.key, lang) if meant is None else meant.of(lang).removeprefix("the ")
 
 

@@ -28,7 +28,7 @@ from .working import working
 
 WORKING = Words("计算过程", "Working")
 _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
-_DASHES = Words("“—”处不填。", "— : not to be filled in.")
+_DASHES = Words("“—”处不填。", "— : leave blank.")
 
 
 def _starts(figure: Figure) -> bool:

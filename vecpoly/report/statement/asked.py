@@ -8,10 +8,12 @@ from typing import TypeVar, get_args
 
 from ...algebra.quantity import number
 from ...mechanism.asked.centres import count
+from ...mechanism.asked.forces import load_symbol
 from ...mechanism.model import Mechanism
 from ...names import is_centre, is_place
 from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
 from ...problem.asked.checks import is_check
+from ...problem.problem import Problem
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words, bare
 from ..values import asked_load, called, curved, way_of
@@ -20,17 +22,16 @@ from .groups import Group, by_groups, parted
 from .meant import meant_by, plural
 
 _MEANT = {
-    "h": Words("原动件上力偶的力臂 {}", "the arm {} of the couple on the input link"),
     "eta": Words("效率 {}", "the efficiency {}"),
     r"J_e\d*": Words("等效转动惯量 {}", "the equivalent moment of inertia {}"),
     r"M_e\d*": Words("等效力矩 {}", "the equivalent moment {}"),
     r"m_e\d*": Words("等效质量 {}", "the equivalent mass {}"),
     r"F_e\d*": Words("等效力 {}", "the equivalent force {}"),
-    "dW_max": Words("最大盈亏功 {}", "the greatest surplus of work {}"),
+    "dW_max": Words("最大盈亏功 {}", "the maximum surplus of work {}"),
     "J_F": Words("飞轮的转动惯量 {}", "the moment of inertia of the flywheel {}"),
     "J_F_areas": Words("$J_F$ 的近似值 {}", "the approximation {} of $J_F$"),
-    "phi_max": Words("最大转速的位置 {}", "the place of the greatest speed {}"),
-    "phi_min": Words("最小转速的位置 {}", "the place of the least speed {}"),
+    "phi_max": Words("最大转速的位置 {}", "the position of maximum speed {}"),
+    "phi_min": Words("最小转速的位置 {}", "the position of minimum speed {}"),
     r"W_c\d+": Words("配重的质径积 {}", "the mass-radius product of the counterweight {}"),
     r"theta_c\d+": Words("配重的方位角 {}", "the angular position of the counterweight {}"),
     r"m_c\d+": Words("配重的质量 {}", "the mass of the counterweight {}"),
@@ -162,7 +163,7 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
     if (meant := meant_by(solution.problem.subject, reading.key, symbol)) is not None:
         return meant.of(lang)
     if isinstance(solution.problem.subject, Mechanism):
-        meant = of_machines(reading.key, symbol)
+        meant = of_machines(solution.problem, reading.key, symbol)
         if meant is not None:
             return meant.of(lang)
     if reading.key.endswith(_IN_LINE):
@@ -170,8 +171,14 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
     return curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
 
 
-def of_machines(key: str, symbol: str) -> Words | None:
+def of_machines(problem: Problem, key: str, symbol: str) -> Words | None:
     """A quantity of a mechanism as a machine with what it is, the efficiency η; None of one without a name."""
+    if key == "h" and problem.acting is not None:
+        load = problem.acting.unknown
+        return Words(
+            f"构件 {load.link} 上与 ${load_symbol(load.name)}$ 平衡的力偶的力臂 {symbol}",
+            f"the arm {symbol} of the couple that balances ${load_symbol(load.name)}$ on link {load.link}",
+        )
     meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, key)), None)
     return None if meant is None else Words(meant.zh.format(symbol), meant.en.format(symbol))
 

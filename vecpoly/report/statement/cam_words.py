@@ -11,18 +11,18 @@ _AT_D = " with the axis at the tip $D$ of the allowed region"
 _MEANT = {
     "s0": Words("从动件的起始高度", "the follower's height at the start"),
     "psi0": Words("摆杆的初始摆角", "the arm's angle at the start"),
-    "alpha_max": Words("最大压力角", "the greatest pressure angle"),
-    "alpha_rise": Words("推程的最大压力角", "the greatest pressure angle of the rise"),
-    "alpha_return": Words("回程的最大压力角", "the greatest pressure angle of the return"),
-    "rho_min": Words("最小曲率半径", "the least radius of curvature"),
-    "rho_profile": Words("实际廓线的最小曲率半径", "the least radius of curvature of the actual profile"),
-    "b_rise": Words("推程所需的平底长度（自导路量起）", "the face's least reach from its guide on the rise"),
-    "b_return": Words("回程所需的平底长度（自导路量起）", "the face's least reach from its guide on the return"),
+    "alpha_max": Words("最大压力角", "the maximum pressure angle"),
+    "alpha_rise": Words("推程的最大压力角", "the maximum pressure angle of the rise"),
+    "alpha_return": Words("回程的最大压力角", "the maximum pressure angle of the return"),
+    "rho_min": Words("最小曲率半径", "the minimum radius of curvature"),
+    "rho_profile": Words("实际廓线的最小曲率半径", "the minimum radius of curvature of the actual profile"),
+    "b_rise": Words("推程所需的平底长度（自导路量起）", "the face's minimum reach from its guide on the rise"),
+    "b_return": Words("回程所需的平底长度（自导路量起）", "the face's minimum reach from its guide on the return"),
     "l_min": Words(
-        "切点离 $A$ 在平底上垂足的最小距离", "the contact's least distance from the foot of $A$ on the face"
+        "切点离 $A$ 在平底上垂足的最小距离", "the contact's minimum distance from the foot of $A$ on the face"
     ),
     "l_max": Words(
-        "切点离 $A$ 在平底上垂足的最大距离", "the contact's greatest distance from the foot of $A$ on the face"
+        "切点离 $A$ 在平底上垂足的最大距离", "the contact's maximum distance from the foot of $A$ on the face"
     ),
     "r0": Words("基圆半径", "the radius of the base circle"),
     "e": Words("偏距", "the offset"),

@@ -45,7 +45,7 @@ _FRICTION = {
     "lock_direct": Words("正行程自锁的极限摩擦角", "limit friction angle of the direct stroke"),
     "lock_reverse": Words("反行程自锁的极限摩擦角", "limit friction angle of the return stroke"),
     "alpha_min": Words("不自锁的最小角", "least angle without self-locking"),
-    "alpha_max": Words("不自锁的最大角", "greatest angle without self-locking"),
+    "alpha_max": Words("不自锁的最大角", "maximum angle without self-locking"),
 }
 _CLAMP = {key: words for key, words in _FRICTION.items() if key in ("phi", "alpha_limit")}  # F holds the wedge there
 _JACK = {

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 
 from ...designs.base import Design
+from ...designs.grashof import Grashof
 from ...designs.limits_found import GuideBarLimits
 from ...designs.quick_return import Shaper
 from ...devices.balancing.rotor import Rotor
@@ -49,19 +50,19 @@ _SHAKING = {
     "F_2": Words("二阶惯性力的幅值", "amplitude of the second-order inertia force"),
     "m_c": Words("平衡质量", "counterweight"),
     "c": Words("往复质量的平衡系数", "balanced fraction of the reciprocating mass"),
-    "F_max": Words("最大振动力", "greatest shaking force"),
+    "F_max": Words("最大振动力", "maximum shaking force"),
     "F": Words("振动力", "shaking force"),
 }
 _FLYWHEEL = {
     "P": Words("驱动功率", "driving power"),
     "M_r": Words("阻力矩", "resisting moment"),
     "delta": Words("速度不均匀系数", "coefficient of speed fluctuation"),
-    "n_max": Words("最大转速", "greatest speed"),
-    "n_min": Words("最小转速", "least speed"),
-    "phi_max": Words("最大转速的位置", "place of the greatest speed"),
-    "phi_min": Words("最小转速的位置", "place of the least speed"),
+    "n_max": Words("最大转速", "maximum speed"),
+    "n_min": Words("最小转速", "minimum speed"),
+    "phi_max": Words("最大转速的位置", "position of maximum speed"),
+    "phi_min": Words("最小转速的位置", "position of minimum speed"),
     "E_.*": Words("动能的变化", "change of the kinetic energy"),
-    "dW_max": Words("最大盈亏功", "greatest fluctuation of energy"),
+    "dW_max": Words("最大盈亏功", "maximum fluctuation of energy"),
     "J_F2": Words("另一轴上飞轮的转动惯量", "moment of inertia of a flywheel on the other shaft"),
     "J_F": Words("飞轮的转动惯量", "moment of inertia of the flywheel"),
     "GD2": Words("飞轮矩", "flywheel moment"),
@@ -76,8 +77,8 @@ _GEAR = {
     "rb": Words("基圆半径", "radius of the base circle"),
     "ra": Words("齿顶圆半径", "radius of the tip circle"),
     "rf": Words("齿根圆半径", "radius of the root circle"),
-    "x_min": Words("最小变位系数", "least profile shift"),
-    "z_min": Words("最少齿数", "least number of teeth"),
+    "x_min": Words("最小变位系数", "minimum profile shift"),
+    "z_min": Words("最少齿数", "minimum number of teeth"),
     "s": Words("分度圆齿厚", "tooth thickness on the reference circle"),
     "s_tip": Words("齿顶厚", "tooth thickness at the tip"),
     "r_start": Words("渐开线起始圆半径", "radius at which the involute begins"),
@@ -86,12 +87,18 @@ _DESIGN = {
     "K": Words("行程速比系数", "time ratio"),
     "psi(_.*)?": Words("摇杆的摆角", "swing of the rocker"),
     "H": Words("行程", "stroke"),
-    "epsilon_max": Words("最大结构误差", "greatest structural error"),
+    "epsilon_max": Words("最大结构误差", "maximum structural error"),
     "theta(_.*)?": Words("极位夹角", "angle between the limit positions"),
     "gamma_min(_.*)?": Words("最小传动角", "minimum transmission angle"),
-    "alpha_max(_.*)?": Words("最大压力角", "greatest pressure angle"),
+    "alpha_max(_.*)?": Words("最大压力角", "maximum pressure angle"),
 }
 _GUIDE_BAR = _DESIGN | {"psi(_.*)?": Words("导杆的摆角", "swing of the guide bar")}
+_GRASHOF = {
+    "ends": Words("最短杆与最长杆长度之和", "sum of the shortest and the longest link"),
+    "middle": Words("其余两杆长度之和", "sum of the two remaining links"),
+    "CD_min": Words("杆长的下限", "lower bound of the length"),
+    "CD_max": Words("杆长的上限", "upper bound of the length"),
+}
 _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Structure, _COUNTS),
     (Rotor, _ROTOR),
@@ -99,6 +106,7 @@ _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Flywheel, _FLYWHEEL),
     (GearGeneration, _GEAR),
     ((GuideBarLimits, Shaper), _GUIDE_BAR),
+    (Grashof, _GRASHOF),
     (Design, _DESIGN),
     *DEVICES,
 )

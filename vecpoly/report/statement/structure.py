@@ -162,7 +162,7 @@ def _rolling(higher: bool) -> Words:
     """How pure rolling is counted; higher: as gears whose centres a link holds apart."""
     if higher:
         return Words(
-            "（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a higher pair)"
+            "（中心距由构件保证的齿轮副，按高副计）", " (gears whose centres links hold apart count as a higher pair)"
         )
     return Words(
         "（纯滚动副限制两个自由度，按低副计）",

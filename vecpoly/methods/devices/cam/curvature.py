@@ -1,4 +1,4 @@
-"""The least radius of curvature by Hartmann's construction, the osculating circle, and whether the profile is cut."""
+"""The minimum radius of curvature by Hartmann's construction, the osculating circle, and whether the profile is cut."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def least_radius(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     board = bench.board
     board.section(Words("曲率半径与失真", "Curvature and undercut"))
     spot = best(board, place_of(cam), cam.pieces, curving(cam))
-    title = Words("最小曲率半径", "Least radius of curvature")
+    title = Words("最小曲率半径", "Minimum radius of curvature")
     place = board.open_pane(View.MECHANISM, RHO.key, title, detail(board, cam))
     if cam.follower.flat:
         rho = under_a_face(bench, cam, cuts, place, spot)
@@ -101,7 +101,7 @@ def _judged(bench: Bench, cam: Cam, rho: Quantity) -> None:
     board.step(
         Words(
             "实际廓线的最小曲率半径等于理论廓线的最小曲率半径减去滚子半径：",
-            "The least radius of the profile is that of the pitch curve less the roller's:",
+            "The minimum radius of the profile is that of the pitch curve less the roller's:",
         )
     )
     roller = magnitude("r_r", 1e3 * cam.follower.radius, "mm")

@@ -1,4 +1,4 @@
-"""Under a flat face: the least radius of curvature of the profile, and how far the face must reach."""
+"""Under a flat face: the minimum radius of curvature of the profile, and how far the face must reach."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def reach(bench: Bench, cam: Cam) -> None:
 
 
 def _along_the_arm(bench: Bench, cam: Cam) -> None:
-    """The least and the greatest distance of the contact from the foot of A on the face."""
+    """The least and the maximum distance of the contact from the foot of A on the face."""
     board = bench.board
     for mark, sign, named, told in (
         (
@@ -132,7 +132,7 @@ def _about_the_guide(bench: Bench, cam: Cam) -> None:
             told
             + Words(
                 f" d$s$/d$φ$ 的最大值（$φ$ = {spot.told}°），平底由导路向该侧至少应有此长度：",
-                f" as far from the guide as the greatest d$s$/d$φ$ (at $φ$ = {spot.told}°); the face "
+                f" as far from the guide as the maximum d$s$/d$φ$ (at $φ$ = {spot.told}°); the face "
                 "must reach so far on that side:",
             ),
             VIEW,

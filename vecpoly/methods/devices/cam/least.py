@@ -1,4 +1,4 @@
-"""The least base circle under allowed pressure angles: the loop of s over ds/dφ, and the bounds that touch it."""
+"""The minimum base circle under allowed pressure angles: the loop of s over ds/dφ, and the bounds that touch it."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def least_circle(bench: Bench, cam: Cam) -> None:
 def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
     """The loop through its stations, and the line on either side that touches it."""
     board = bench.board
-    board.section(Words("最小基圆半径", "The least base circle"))
+    board.section(Words("最小基圆半径", "The minimum base circle"))
     board.step(
         Words(
             "以 d$s$/d$φ$ 为横坐标、$s$ 为纵坐标（比例尺同为 $μ_s$；凸轮顺时针转时，图中横坐标以向左为正）作推程和回"

@@ -1,4 +1,4 @@
-"""The greatest pressure angles, on the rise and on the return, each drawn where trial has found it."""
+"""The maximum pressure angles, on the rise and on the return, each drawn where trial has found it."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def pressure_angles(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     found = [
         _greatest(bench, cam, cuts, *each)
         for each in (
-            (1, ALPHA_RISE, Words("推程最大压力角", "Greatest pressure angle of the rise")),
-            (-1, ALPHA_BACK, Words("回程最大压力角", "Greatest pressure angle of the return")),
+            (1, ALPHA_RISE, Words("推程最大压力角", "Maximum pressure angle of the rise")),
+            (-1, ALPHA_BACK, Words("回程最大压力角", "Maximum pressure angle of the return")),
         )
     ]
     larger = max(found, key=lambda value: float(nominal(value)))
@@ -64,7 +64,7 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
             f"{'推程' if way > 0 else '回程'}：比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = "
             f"{spot.told}° 处{at.zh}。作该位置的{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件"
             "运动方向的夹角：",
-            f"On the {'rise' if way > 0 else 'return'} compare the stations and try more positions near the greatest "
+            f"On the {'rise' if way > 0 else 'return'} compare the stations and try more positions near the maximum "
             f"pressure angle; it is at $φ$ = {spot.told}°{at.en}. Draw the {part.en} there, the "
             "instant centre $P$ and the normal $BP$, and read the angle between the normal and the follower's motion:",
         ),

@@ -57,7 +57,7 @@ def draw_engine(bench: Bench, engine: InlineEngine) -> None:
     stars(bench, engine)
     ratio, speed, product = _numbers(bench, engine)
     for times, order in enumerate(ORDERS, 1):
-        words = Words("一阶", "First order") if times == 1 else Words("二阶", "Second order")
+        words = Words(f"{_zh(times)}惯性力和惯性力偶", f"Forces and couples of {_en(times)} order")
         bench.board.section(words)
         factor = (speed.squared(),) if times == 1 else (ratio, speed.squared())
         _forces(bench, engine, order, times, product, factor)
@@ -112,6 +112,7 @@ def _forces(
             f"tip is their sum $W_{{{order}}}$:",
         ),
         place,
+        again=_likewise(times, f"W_{{{order}}}"),
     )
     named, turned, force, *_ = of_order(order)
     polygon = summed(bench, place, _laid(engine, times, product.value), named)
@@ -132,6 +133,7 @@ def _couples(
             f"reversed), off head to tail; their sum is $C_{{{order}}}$:",
         ),
         place,
+        again=_likewise(times, f"C_{{{order}}}"),
     )
     *_, named, turned, moment = of_order(order)
     laid = [
@@ -153,6 +155,14 @@ def _read(bench: Bench, polygon: Polygon, named: tuple[Named, ...], factor: tupl
     for other in factor[1:]:
         whole = whole * other
     bench.worked(result, whole)
+
+
+def _likewise(times: int, symbol: str) -> Words:
+    """The polygon of the second order, drawn as that of the first."""
+    return Words(
+        f"同样以方向角 ${_angle(times)}$ 作图，得 ${symbol}$：",
+        f"Likewise, with ${_angle(times)}$, ${symbol}$ is found:",
+    )
 
 
 def _zh(times: int) -> str:

@@ -49,10 +49,9 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
     board.section(Words("轮系简图", "The train"))
     board.step(
         Words(
-            "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在 $O$ 的正上方；$A$、$C$ 为行星轮与中心轮 1、3 的节点。节圆半"
-            "径：",
+            "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在 $O$ 的正上方；$A$、$C$ 为行星轮与轮 1、3 的节点。节圆半径：",
             "To the scale $μ_l$ draw the pitch circles with the centre $O_2$ of a planet straight above $O$; $A$ and "
-            "$C$ are the pitch points of the planet with the central gears 1 and 3. The pitch radii are:",
+            "$C$ are the pitch points of the planet with gears 1 and 3. The pitch radii are:",
         ),
         View.MECHANISM,
     )
@@ -95,12 +94,12 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
         Words(
             "按 $μ_l$ 画出轮系轴线以上的半剖面简图，以半径为纵坐标、速度为横坐标。各点都在 $O$ 的正上方，构件逆时针转"
             "动时速度向左，取为正；顺时针转动时向右，为负。"
-            f"由已知的角速度算出 {told}，在各自半径的高度上按其方向量出；中心轮和系杆的速度线都过 $O$。",
+            f"由已知的角速度算出 {told}，在各自半径的高度上按其方向量出；轮 1、3 和系杆的速度线都过 $O$。",
             "Draw the half-section of the train above its axis to the scale $μ_l$. Radii are plotted upwards, "
             "velocities sideways. All points lie vertically above $O$; a point of a link that turns counter-clockwise "
             "moves to the left (positive), of one that turns clockwise to the right (negative). "
             f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, each in its "
-            "direction, at the heights of their radii. The velocity lines of the central gears and of the "
+            "direction, at the heights of their radii. The velocity lines of gears 1 and 3 and of the "
             "carrier pass through $O$.",
         ),
         RADII,

@@ -30,7 +30,7 @@ def field_scales(device: FieldBalancing, given: Scales) -> Mapping[View, Scale]:
 
 @device_method(
     FieldBalancing,
-    title=Words("现场平衡（影响系数法、三圆法）", "Balancing in place: influence coefficient, four runs"),
+    title=Words("现场平衡（影响系数法、三圆法）", "Field balancing: influence coefficient, four runs"),
     source="机械振动, field balancing: influence coefficient; four-run method without phase",
     example="field-four-runs",
     scales=field_scales,

@@ -18,7 +18,7 @@ from .torque import measured_areas
 
 @device_method(
     Flywheel,
-    title=Words("最大盈亏功与飞轮（面积法、能量指示图）", "Greatest surplus of work and flywheel, by areas"),
+    title=Words("最大盈亏功与飞轮（面积法、能量指示图）", "Maximum surplus of work and flywheel, by areas"),
     source="机械原理, 机械的运转: areas between M_d and M_r, energy indicator bar, J_F = 900 ΔW / (π² n² δ)",
     example="7-5",
     scales=flywheel_scales,

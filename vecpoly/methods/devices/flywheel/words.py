@@ -60,7 +60,7 @@ def extremes(top: str, bottom: str) -> Words:
         f"最高点 ${top}$ 处动能最大，转速为 $ω_{{max}}$；最低点 ${bottom}$ 处动能最小，转速为 $ω_{{min}}$。"
         "两点之间的能量差即最大盈亏功：",
         f" The energy is greatest at ${top}$, the highest point, and so is the speed, $ω_{{max}}$; both are least at "
-        f"${bottom}$, the lowest, $ω_{{min}}$. Between them lies the greatest surplus of work:",
+        f"${bottom}$, the lowest, $ω_{{min}}$. Between them lies the maximum surplus of work:",
     )
 
 

@@ -7,10 +7,10 @@ from math import degrees, pi, sin, tan
 import numpy as np
 
 from ....algebra.formula import Txt
-from ....algebra.quantity import Quantity, Times, magnitude, number
+from ....algebra.quantity import Quantity, Times, magnitude
 from ....board.construction import Scale, View
 from ....board.paper.marks import Dot, Role
-from ....devices.gears.generation import RA, RB, RF, S_TIP, START, UNDERCUT, X_MIN, Z_MIN, GearGeneration, R, S
+from ....devices.gears.generation import RA, RB, RF, S_TIP, START, X_MIN, Z_MIN, GearGeneration, R, S
 from ....foundation.slotted import replace
 from ....plane import Line, Points, Reals, nominal
 from ....problem.problem import Scales
@@ -22,6 +22,7 @@ from ..registry import device_method
 from .places import draw_places, draw_tooth
 from .rack import VIEW, Rack, contact, place_rack
 from .start import crossing, cuts_in
+from .teeth import judge_undercut, whole_teeth
 from .tip import pointed
 
 TALL, WIDE, PITCHES = 130.0, 158.0, 1.25  # mm: the tip radius, the figure; of the circles to either side
@@ -61,7 +62,7 @@ def draw_generation(bench: Bench, gear: GearGeneration) -> None:
     board.step(
         Words(
             "使齿条节线在分度圆上作纯滚动，逐次画出齿条齿廓的位置，其包络线即被切齿轮的齿廓。",
-            "Let the rack's rolling line roll on the reference circle and draw the rack in one place after another: "
+            "Let the rack's rolling line roll on the reference circle and draw the rack in successive positions: "
             "the envelope of its flanks is the tooth.",
         ),
         VIEW,
@@ -123,14 +124,14 @@ def _limits(bench: Bench, gear: GearGeneration, rack: Rack) -> None:
         Words(
             "齿条齿顶线不超过 $N$ 时不根切。过 $N$ 作水平线交 $OP$ 于 $Q$，$h$ = $PQ$，由 $h_a^{*}$$m$ − $x$$m$ ≤ $h$ "
             "得：",
-            "There is no undercut while the rack's tip line does not pass $N$. The level through $N$ meets $OP$ at "
-            "$Q$; with $h$ = $PQ$ the condition $h_a^{*}$$m$ − $x$$m$ ≤ $h$ gives:",
+            "There is no undercut while the rack's tip line does not pass $N$. The horizontal through $N$ meets $OP$ "
+            "at $Q$; with $h$ = $PQ$ the condition $h_a^{*}$$m$ − $x$$m$ ≤ $h$ gives:",
         ),
         VIEW,
     )
     level = board.parallel(rack.foot, 1 + 0j)
     axis = Line(rack.pole, board.turn(-1j))
-    under = board.meet(level, axis, Words("$N$ 的水平线", "the level of $N$"))
+    under = board.meet(level, axis, Words("$N$ 的水平线", "the horizontal through $N$"))
     board.join(VIEW, rack.foot, under, Role.CONSTRUCTION)
     board.plot(VIEW, under, "Q", Dot.POINT)
     scale = board.scale_of(VIEW)
@@ -139,22 +140,9 @@ def _limits(bench: Bench, gear: GearGeneration, rack: Rack) -> None:
     )
     m, ha = magnitude("m", 1e3 * gear.m.si, "mm"), magnitude("h_a^{*}", gear.ha.si, "")
     least = bench.worked(X_MIN, ha - h / m)
-    bench.worked(Z_MIN, ha * m * magnitude("z", float(gear.z), "") / h)
-    cut = gear.x < np.asarray(least.value)
-    low = number(float(nominal(least.value)))
-    said = (
-        Words(
-            f"$x$ = {number(gear.x)} < $x_min$，齿根被切去一部分，发生根切；变位系数应不小于 {low}。",
-            f" Since $x$ = {number(gear.x)} < $x_min$ the root is undercut; the shift should be {low} at least.",
-        )
-        if bool(nominal(cut))
-        else Words(
-            f"$x$ = {number(gear.x)} ≥ $x_min$，不根切。",
-            f" Since $x$ = {number(gear.x)} ≥ $x_min$ there is no undercut.",
-        )
-    )
-    board.step(Words("检查根切：", "Is the gear undercut?"))
-    bench.judged(UNDERCUT, cut, said, least.value)
+    teeth = bench.worked(Z_MIN, ha * m * magnitude("z", float(gear.z), "") / h)
+    board.step(whole_teeth(gear, teeth.value, h.value / (1e3 * scale.value)))
+    judge_undercut(bench, gear, least.value)
 
 
 def _thickness(bench: Bench, rack: Rack) -> Quantity:

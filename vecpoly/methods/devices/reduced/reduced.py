@@ -26,7 +26,7 @@ HEAD = (
 
 @device_method(
     ReducedTrain,
-    title=Words("轮系的等效转动惯量与等效力矩", "A train reduced to one shaft"),
+    title=Words("轮系的等效转动惯量与等效力矩", "Gear train referred to one shaft"),
     source="机械原理, 机械的运转: kinetic energy and power of the equivalent link",
     example="7-3",
 )

@@ -42,7 +42,10 @@ def _done(bench: Bench, rotor: Rotor, end: str, polygon: Polygon, found: Quantit
     if plane.places is not None:
         return at_places(bench, rotor, end, polygon)
     assert plane.r is not None
-    bench.board.step(in_plane(end, _NEEDED if plane.hole is None else _REMOVED))
+    bench.board.step(
+        in_plane(end, _NEEDED if plane.hole is None else _REMOVED),
+        again=Words(f"同样，在平面 ${end}$ 内：", f"Likewise in plane ${end}$:"),
+    )
     unit = rotor.weighing
     needed = bench.worked(weight(end, unit), found / radius("r_b", plane.r.si, unit))
     if plane.hole is not None:

@@ -54,7 +54,7 @@ def _shared(bench: Bench, rotor: Rotor, whole: Quantity) -> dict[str, Quantity]:
     bench.board.step(
         Words(
             "许用不平衡量按质心 $S$ 到两平面的距离分配：" if grade.z is not None else "质心位置未给，两平面各取一半：",
-            "It is shared between the planes by the distances of the centre of mass $S$:"
+            "It is divided between the planes in proportion to the distances of the centre of mass $S$:"
             if grade.z is not None
             else "The centre of mass is not given; each plane may have one half:",
         )

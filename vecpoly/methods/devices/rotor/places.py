@@ -41,7 +41,7 @@ def at_places(bench: Bench, rotor: Rotor, end: str, polygon: Polygon) -> Points:
                 "负值表示在该处去重。",
                 f"Weights can only sit at {at[0]:g}° and {at[1]:g}°. Parallels to these directions through the ends "
                 "of $W_b$ "
-                "meet at $e$ and resolve $W_b$ into its shares; a negative one means that mass is removed there.",
+                "meet at $e$ and resolve $W_b$ into its components; a negative one means that mass is removed there.",
             ),
         ),
         polygon.place,

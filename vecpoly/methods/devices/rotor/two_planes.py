@@ -46,7 +46,7 @@ def _sum(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> Polygon:
     board.step(
         Words(
             f"先看静平衡：按 ${view.mu.symbol}$ 把各质径积首尾相接，其和 $W_S$ 由极点 $O$ 指向末端。量得：",
-            f"First static balance: to the scale ${view.mu.symbol}$ lay all products off head to tail. Their sum $W_S$ "
+            f"Static balance first: to the scale ${view.mu.symbol}$ lay all products off head to tail. Their sum $W_S$ "
             "leads from the pole $O$ to the last tip. Read it off:",
         ),
         place,
@@ -61,7 +61,7 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
     """W_iI = W_i (L − l_i)/L and W_iII = W_i l_i/L; overhung: one of them is negative."""
     board, unit = bench.board, rotor.weighing
     (one, first), (other, second) = rotor.correct.items()
-    board.section(Words("向两校正平面分解", "Shares of the two planes"))
+    board.section(Words("向两校正平面分解", "Resolution into the two planes"))
     over = [name for name in rotor.masses if min(share[name] for share in rotor.shares.values()) < -1e-12]
     letter = arm_letter(first.at)
     arm_told = "$z_i$" if letter == "z" else f"$l_i$ = $z_i$ − $z_{{b{one}}}$"
@@ -70,7 +70,7 @@ def _shares(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> dict[s
         Words(
             f"把每个质径积按杠杆关系分解到平面 ${one}$ 和 ${other}$：{arm_told} 为质量 $i$ 到平面 ${one}$ 的距离，"
             f"{span_told} 为两平面的距离。",
-            f"Share every product between the planes ${one}$ and ${other}$ by the lever rule: {arm_told} is the "
+            f"Resolve every product into the planes ${one}$ and ${other}$ by the lever rule: {arm_told} is the "
             f"distance of mass $i$ from plane ${one}$, {span_told} that of the two planes.",
         )
         + _overhung(over)
@@ -107,9 +107,11 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float)
     board.step(
         Words(
             f"在平面 ${end}$ 内把各分量首尾相接，封闭边即 ${closing.symbol}$。量得：",
-            f"In plane ${end}$ lay the shares off head to tail; the closing side is ${closing.symbol}$. Read it off:",
+            f"In plane ${end}$ lay the components off head to tail; the closing side is ${closing.symbol}$. "
+            "Read it off:",
         ),
         place,
+        again=Words(f"同样作平面 ${end}$ 的多边形，量得：", f"Likewise for plane ${end}$:"),
     )
     polygon = chain(bench, place, laid, closing, whole)
     return polygon, read_closing(bench, polygon, closing, bearing(end))

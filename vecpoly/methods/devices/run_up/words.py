@@ -25,12 +25,12 @@ DRIVING = 1  # the column of M_d
 INVERSES = Words(
     "由 $J dω/dt = ΔM$ 得 $t = J ∫ dω/ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，线下的面积即为所求的积分，"
     "量得：",
-    "From $J dω/dt = ΔM$ follows $t = J ∫ dω/ΔM$. Take $ΔM$ off the characteristics, draw $y = 1/|ΔM|$ over $ω$; the "
+    "From $J dω/dt = ΔM$ follows $t = J ∫ dω/ΔM$. Take $ΔM$ off the characteristics, plot $y = 1/|ΔM|$ versus $ω$; the "
     "area below it is the integral. It is measured:",
 )
 INVERSES_AGAIN = Words(
     "同样作 $y = 1/|ΔM|$ 随 $ω$ 变化的线图，量得线下的面积，求时间：",
-    "In the same way draw $y = 1/|ΔM|$ over $ω$ and measure the area below it, which gives the time:",
+    "In the same way plot $y = 1/|ΔM|$ versus $ω$ and measure the area below it, which gives the time:",
 )
 SPEEDS = Words(
     "曲线下到转速 $ω$ 为止的面积，即达到该转速所需的时间 $t$；由此作 $ω$–$t$ 线图，线下的面积即为转过的角度 $φ$：",
@@ -39,7 +39,7 @@ SPEEDS = Words(
 )
 SPEEDS_AGAIN = Words(
     "由此再作 $ω$–$t$ 线图，量得线下的面积，求转角：",
-    "From it draw the curve of $ω$ over $t$ again and measure the area below it, which gives the angle:",
+    "From it again plot the curve of $ω$ versus $t$ and measure the area below it, which gives the angle:",
 )
 
 
@@ -55,7 +55,7 @@ def drawn(course: Course) -> Words:
     return (
         Words("作阻力矩", "Draw the resisting moment")
         + brake
-        + Words(" $M_r$ 随 $ω$ 变化的曲线。", ", $M_r$, over $ω$.")
+        + Words(" $M_r$ 随 $ω$ 变化的曲线。", ", $M_r$, versus $ω$.")
     )
 
 

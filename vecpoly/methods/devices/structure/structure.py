@@ -62,13 +62,14 @@ def _diagram(bench: Bench, device: Structure) -> Pane:
     place = pane(board, View.MECHANISM, "diagram", Words("机构示意图", "Diagram of the mechanism"))
     kinds = [(form, [pair for pair in device.chain.pairs if pair.form is form]) for form in Form]
     zh = "，".join(f"{_NAMES[form].zh} {'、'.join(_letters(pairs))}" for form, pairs in kinds if pairs)
-    en = "; ".join(f"{_NAMES[form].en} {', '.join(_letters(pairs))}" for form, pairs in kinds if pairs)
+    names = {form: _NAMES[form].en.removesuffix("s" if len(pairs) == 1 else "") for form, pairs in kinds}
+    en = "; ".join(f"{names[form]} {', '.join(_letters(pairs))}" for form, pairs in kinds if pairs)
     links = [device.number(link) for link in device.chain.links]
     board.step(
         Words(
             f"用规定的符号画出机构示意图（不按比例），标出构件号和运动副字母：活动构件 {'、'.join(links)}；{zh}。",
             "Draw the mechanism, not to scale, with the standard symbols, number the links and letter "
-            f"the pairs: moving links {', '.join(links)}; {en}.",
+            f"the joints: moving links {', '.join(links)}; {en}.",
         ),
         place,
     )
@@ -130,7 +131,7 @@ def _compound(bench: Bench, device: Structure, found: Count, place: Pane) -> Non
 def _check(bench: Bench, found: Count) -> None:
     """The same F from the chain without rollers and redundant parts."""
     rest = found.reduced
-    zh = "并".join(["把滚子焊死"] * bool(found.rollers) + ["去掉虚约束部分"] * bool(found.repeated))
+    zh = "并".join(["把滚子与从动件固接"] * bool(found.rollers) + ["去掉虚约束部分"] * bool(found.repeated))
     en = " and ".join(
         ["the rollers welded"] * bool(found.rollers) + ["the redundant part taken away"] * bool(found.repeated)
     )

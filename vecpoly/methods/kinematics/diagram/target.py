@@ -21,7 +21,7 @@ PLACES = 120  # of the drive, over a turn
 
 
 def draw_target(desk: Desk, target: Target) -> None:
-    """The curve dashed, the path thin under the links, the greatest distance of a given point from the path."""
+    """The curve dashed, the path thin under the links, the maximum distance of a given point from the path."""
     board, view = desk.board, View.MECHANISM
     name, mark = target.point, "T" if "T" not in desk.at else "T′"
     board.step(
@@ -29,7 +29,7 @@ def draw_target(desk: Desk, target: Target) -> None:
             f"取原动件的一系列位置，描出 ${name}$ 点的轨迹（细实线），与给定曲线（虚线）比较；"
             f"最大偏差在 ${mark}$ 点，为：",
             f"Trace the path of ${name}$ (thin) through a turn of the driving link, beside the curve that is given "
-            f"(dashed). The greatest deviation, at ${mark}$, is:",
+            f"(dashed). The maximum deviation, at ${mark}$, is:",
         ),
         view,
     )

@@ -14,7 +14,7 @@ from ....names import At, Rel, alpha, omega
 from ....plane import nominal
 from ....vector.equation import UNKNOWN, Equation, Term
 from ....words import Words
-from ...desk import QUANTITY, VECTOR, Desk
+from ...desk import QUANTITY, VECTOR, Desk, Turn
 from ..chains import never_turns
 from ..image import imaged, images_of_link
 from ..terms import ABSENT, known
@@ -57,9 +57,8 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
     """ω_BC = ω_AD and ω_CD = ω_AB, and so α; with AD at rest the coupler translates: v_C = v_B, a_C = a_B."""
     b, c, end = _pins(d)
     letter = "ω" if view is View.VELOCITY else "α"
-    for link, along in ((d.link_j, d.parent_k), (d.link_k, d.parent_j)):
-        _turn_as(desk, view, link, along)
-    fixed = [link for link, along in ((d.link_j, d.parent_k), (d.link_k, d.parent_j)) if along == FRAME]
+    pairs = ((d.link_j, d.parent_k), (d.link_k, d.parent_j))
+    fixed = [link for link, along in pairs if along == FRAME]
     corners = f"{fourth_corner(desk.mech, d)}{b}{c}{end}"
     words = Words(
         f"${corners}$ 为平行四边形，对边始终平行，",
@@ -85,6 +84,8 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
             f"$ {letter}_{d.parent_j}$.",
         )
     desk.board.step(words, view)
+    for link, along in pairs:
+        _turn_as(desk, view, link, along)
     if fixed:
         _equate(desk, view, c, b if coupler == d.link_j else end)
     _reach(desk, view, coupler, c)
@@ -111,12 +112,14 @@ def _reach(desk: Desk, view: View, coupler: str, c: str) -> None:
 
 
 def _turn_as(desk: Desk, view: View, link: str, along: str) -> None:
-    """Both links turn alike."""
+    """Both links turn alike: concluded in the step that says why."""
     if along == FRAME:
         never_turns(desk, link)
         return
-    of = omega if view is View.VELOCITY else alpha
-    desk.turns[of(link)] = desk.turns[of(along)]
+    of, unit = (omega, "rad/s") if view is View.VELOCITY else (alpha, "rad/s^2")
+    own, first = of(link), desk.turns[of(along)]
+    value = first.value if first.never else desk.board.conclude(own.key, first.value, unit)
+    desk.turns[own] = Turn(value, first.never, first.same or of(along))
 
 
 def _pins(d: Dyad) -> tuple[str, str, str]:

@@ -25,7 +25,7 @@ _SOURCE = "机械原理, pure rolling: the pitch point is the relative instant c
     group="RGR",
     source=_SOURCE,
     example="crank-rack-pinion",
-    title=Words("齿条—齿轮杆组的速度", "Velocity of a group of a hinged rack and a pinion"),
+    title=Words("齿条—齿轮杆组的速度", "Velocity of a group of a pinned rack and a pinion"),
 )
 def velocity_rgr(desk: Desk, d: Dyad) -> None:
     """v_P + v_HP (⊥ PH) = v_Q + v_HQ (⊥ QH), H the pitch point."""
@@ -42,7 +42,7 @@ def velocity_rgr(desk: Desk, d: Dyad) -> None:
     group="RGR",
     source=_SOURCE,
     example="crank-rack-pinion",
-    title=Words("齿条—齿轮杆组的加速度", "Acceleration of a group of a hinged rack and a pinion"),
+    title=Words("齿条—齿轮杆组的加速度", "Acceleration of a group of a pinned rack and a pinion"),
 )
 def acceleration_rgr(desk: Desk, d: Dyad) -> None:
     """a_P + a^n_HP + a^t_HP + a_HkHj = a_Q + a^n_HQ + a^t_HQ."""

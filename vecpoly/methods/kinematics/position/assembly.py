@@ -85,10 +85,15 @@ def said(statement: Statement | None, which: str = "点") -> Words:
         case None:
             return Words(f"（取与题给装配形式相符的一{which}）", " (of the two, the one that fits the assembly given)")
         case SideOf(point=point, side=side):
-            ref = ("→" if side in (Side.LEFT, Side.RIGHT) else "").join(statement.ref)
-            return Words(
-                f"（取 ${point}$ 在 ${ref}$ {_SIDE[side]}的一{which}）", f" (of the two, ${point}$ {_EN[side]} ${ref}$)"
+            beside = side in (Side.LEFT, Side.RIGHT)
+            ref = f"${''.join(statement.ref)}$"
+            line = Words(f"有向线 {ref} ", f"the directed line {ref}") if beside else Words(f" {ref} ", ref)
+            taken = (
+                f"取位于{line.zh}{_SIDE[side]}的交点"
+                if which == "点"
+                else f"取 ${point}$ 在{line.zh}{_SIDE[side]}的一{which}"
             )
+            return Words(f"（{taken}）", f" (of the two, ${point}$ {_EN[side]} {line.en})")
         case Shaped(form=form):
             corners = "".join(statement.corners)
             return Words(

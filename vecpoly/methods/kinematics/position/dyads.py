@@ -41,6 +41,10 @@ def position_rrr(desk: Desk, d: Dyad) -> None:
             f"Arcs about ${p}$ and ${q}$ with radii $l_{bars[0]}/μ_l$ and $l_{bars[1]}/μ_l$ meet at ${c}$",
         ),
         View.MECHANISM,
+        again=Words(
+            f"同样，由 ${p}$、${q}$ 以 $l_{bars[0]}/μ_l$、$l_{bars[1]}/μ_l$ 为半径得 ${c}$",
+            f"Likewise, from ${p}$ and ${q}$ with radii $l_{bars[0]}/μ_l$ and $l_{bars[1]}/μ_l$: ${c}$",
+        ),
     )
     radii = [desk.mm(length) for length in lengths]
     pair = board.arcs(

@@ -23,7 +23,7 @@ from .standing import said_standing, standing
     group="RGR",
     source="机械原理, kinematic diagrams by Assur groups",
     example="crank-rack-pinion",
-    title=Words("齿条—齿轮杆组的位置", "Position of a group of a hinged rack and a pinion"),
+    title=Words("齿条—齿轮杆组的位置", "Position of a group of a pinned rack and a pinion"),
 )
 def position_rgr(desk: Desk, d: Dyad) -> None:
     """The tangent from the rack's hinge to the pitch circle is the pitch line;

@@ -34,7 +34,7 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
         board.step(
             Words(
                 "取曲线上 $γ_min$ 最大的一点为 $A$。",
-                "Take as $A$ the point for which the curve has its greatest $γ_min$.",
+                "Take as $A$ the point for which the curve has its maximum $γ_min$.",
             )
             if best
             else Words(

@@ -45,8 +45,8 @@ def _alike() -> NotAskedError:
     """Both trials read alike: the task is ill-conditioned beyond drawing."""
     return NotAskedError(
         Words(
-            "AB 无从量取：两次试作中 P、Q 都几乎重合，图上读不出曲柄长；此题病态，请拉大各组对应角之间的间隔，"
-            "或用 vecpoly exact",
+            "AB 无从量取：两次试作中 P、Q 都几乎重合，图上读不出曲柄长；该题对数据敏感（病态），"
+            "请拉大各组对应角之间的间隔，或用 vecpoly exact",
             "AB cannot be read: in both trials P and Q all but fall together, and the paper does not tell the crank; "
             "the task is ill-conditioned, take pairs of angles further apart, or use 'vecpoly exact'",
         ),

@@ -25,7 +25,7 @@ TURN = 48  # positions of the crank in which the coupler curve is drawn and the 
 
 @design_method(
     Cognates,
-    title=Words("四杆机构的同源机构", "Cognates of a four-bar"),
+    title=Words("四杆机构的同源机构", "Cognates of a four-bar linkage"),
     source="机械原理, theorem of Roberts and Chebyshev: three four-bars lead one point along one curve",
     example="cognates",
 )
@@ -42,11 +42,11 @@ def draw_cognates(draft: Draft, design: Cognates) -> None:
 
 def _fourbar(draft: Draft, design: Cognates) -> dict[str, Points]:
     board = draft.board
-    board.section(Words("给定的四杆机构", "The given four-bar"))
+    board.section(Words("给定的四杆机构", "The given four-bar linkage"))
     board.step(
         Words(
             "选 $μ_l$，画出四杆机构 $ABCD$ 和连杆上的点 $E$。",
-            "Choose $μ_l$ and draw the four-bar $ABCD$ with the point $E$ of its coupler.",
+            "Choose $μ_l$ and draw the four-bar linkage $ABCD$ with the point $E$ of its coupler.",
         ),
         SHEET,
     )

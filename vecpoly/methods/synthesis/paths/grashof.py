@@ -18,7 +18,7 @@ ROW, SHIFT = 16.0, 4.0  # mm: from line to line; a length that is laid off backw
 
 @design_method(
     Grashof,
-    title=Words("曲柄存在条件和机架变换", "The condition for a crank, and inversions of the chain"),
+    title=Words("曲柄存在条件和机架变换", "Grashof condition and inversions of the chain"),
     source="机械原理, Grashof's condition",
     sheet=Words("杆长之和", "Sums of lengths"),
     example="8-1",

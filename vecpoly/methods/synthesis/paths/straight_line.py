@@ -75,9 +75,9 @@ def _positions(design: StraightLine, phis: list[float]) -> Words:
     told = Words(
         f"选 $μ_l$，画 $A$、$D$；在给定范围内取 $AB$ 的 {STATIONS} 个位置，使相邻两 $E$ 点的间距相等："
         f"$φ$ = {'、'.join(angles)}。以两弧求 $C$，作出各位置的 $E$，连成光滑曲线。",
-        f"Choose $μ_l$, draw $A$ and $D$; set $AB$ to {STATIONS} positions over the range, so that the places of $E$ "
-        f"are equally far apart: $φ$ = {', '.join(angles)}. Find $C$ by two arcs and with it $E$, and lead a smooth "
-        "curve through these.",
+        f"Choose $μ_l$, draw $A$ and $D$; set $AB$ to {STATIONS} positions over the range, so that the positions of "
+        f"$E$ are equally spaced: $φ$ = {', '.join(angles)}. Find $C$ by two arcs and with it $E$, and draw a smooth "
+        "curve through them.",
     )
     if not dead:
         return told
@@ -121,7 +121,7 @@ def _read(draft: Draft, path: Path, stations: list[float]) -> None:
     base = low.imag
     over = Axis(symbol="x", unit="mm", low=left.real, high=right.real)
     up = Axis(symbol="h", unit="mm", low=0.0, high=high.imag - base)
-    curve = chart(draft, "band", Words("轨迹的偏差（高度放大）", "The path, its height enlarged"), over, up)
+    curve = chart(draft, "band", Words("轨迹的偏差（高度放大）", "Coupler curve, height magnified"), over, up)
     marked = [at - 1j * base for at in path.seen(stations)]
     draft.board.step(_computed(draft, up.high, [at.imag for at in marked]), curve.place)
     curve.ruled()
@@ -150,8 +150,8 @@ def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
         "量出近似直线段的长度 $L$ 和这段轨迹偏离直线的宽度 $δ$（两平行线的距离）：",
         "the law of cosines gives $∠CBD$ in $△BCD$, and so the coordinates of $C$ and $E$: $x$ from $A$ along "
         f"$AD$, the height $h$ from the lowest point of the path. At $E_1$ to $E_{STATIONS}$ $h$ is {', '.join(rows)} "
-        "mm; compute more places between them, and plot all to an enlarged scale. Two parallels to $AD$ enclose the "
-        "curve. Read the length $L$ of the straight part and the width $δ$ of its band:",
+        "mm; compute further positions between them, and plot all to an enlarged scale. Two parallels to $AD$ enclose "
+        "the curve. Read the length $L$ of the straight part and the width $δ$ of its band:",
     )
 
 

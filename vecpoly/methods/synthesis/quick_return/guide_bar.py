@@ -150,7 +150,7 @@ def _pressure(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
 def _nearest(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
     """The position with B nearest to C, in a figure of its own."""
     board, (crank, offset) = draft.board, radii
-    place = board.open_pane(View.MECHANISM, "alpha", Words("最大压力角", "Greatest pressure angle"))
+    place = board.open_pane(View.MECHANISM, "alpha", Words("最大压力角", "Maximum pressure angle"))
     board.step(
         Words(
             "$B$ 离 $C$ 最近时压力角最大。作此位置：自 $B′$ 作半径为 $e$ 的偏距圆的切线 $B′T$"

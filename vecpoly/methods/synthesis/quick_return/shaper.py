@@ -182,7 +182,7 @@ def _pressure(draft: Draft, rod: float, at: Points, n: Points) -> None:
     board.step(
         Words(
             "$D$ 在 $N$ 处时作连杆 $DE$，量它与导路的夹角，即最大压力角。",
-            "With $D$ in $N$ draw the rod $DE$ and read its angle to the guide: the greatest pressure angle.",
+            "With $D$ in $N$ draw the rod $DE$ and read its angle to the guide: the maximum pressure angle.",
         ),
         SHEET,
     )

@@ -24,7 +24,7 @@ _BEYOND = Words("两端趋近死点", "towards dead points")
 _MACHINE = Words("机械的运转与平衡", "The machine in motion and its balance")
 _HEADER = {
     "zh": ["杆组", "行列式", "最小处", "最小值/最大值", "最大处", "最小传动角", "1/$sin γ$", "判断"],
-    "en": ["Group", "Determinant", "Least at", "Least/largest", "Largest at", "Least γ", "1/$sin γ$", "Verdict"],
+    "en": ["Group", "Determinant", "Minimum at", "Min/max", "Maximum at", "Min γ", "1/$sin γ$", "Verdict"],
 }
 
 
@@ -114,8 +114,11 @@ def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
     if verdict is _BEYOND:
         dead = dead_points(study)
         many = len(study.facts.dead) > 1
-        lie = f"{'Dead points lie' if many else 'A dead point lies'} beyond the working range, at {dead.en}."
-        return told + Words(f"。工作范围之外，{dead.zh} 处为死点。", f". {lie}")
+        lie = f"{'The dead points' if many else 'The dead point'}, at {dead.en},"
+        return told + Words(
+            f"。死点（{dead.zh}）处行列式为零，不在工作范围之内。",
+            f". {lie} where the determinant vanishes, {'are' if many else 'is'} left out of the working range.",
+        )
     return told + Words(f"。判断：{verdict.zh}。", f". The conditioning is {verdict.en}.")
 
 

@@ -22,7 +22,7 @@ from .outputs import output, points
 from .stated import stated
 
 _STEADY = 1e-9  # of the largest determinant
-_ASKED, _FORCES = Words("所求各量", "What was asked"), Words("所求各量与受力", "What was asked, and the forces")
+_ASKED, _FORCES = Words("所求各量", "Required quantities"), Words("所求各量与受力", "Required quantities and forces")
 _MOTION, _QUALITY = Words("结构与运动", "Structure and motion"), Words("工作质量与精度", "Quality and accuracy")
 
 

@@ -43,7 +43,7 @@ def stretch(study: Study, duty: Duty) -> str:
 def ranges(study: Study, found: Sequence[Duty]) -> Words:
     """Several stretches, those that lie against each other as one."""
     texts = [stretch(study, duty) for duty in merged(found, study.whole.period)]
-    return Words("、".join(texts), ", ".join(texts).replace("～", "–"))
+    return Words("、".join(texts), ", ".join(texts).replace("～", " to "))
 
 
 def merged(found: Sequence[Duty], turn: float) -> list[Duty]:
@@ -108,7 +108,7 @@ def rows(study: Study) -> Iterator[tuple[Duty, tuple[Spot | None, ...]]]:
 
 
 def told(study: Study) -> list[str]:
-    """The columns whose greatest values are told stretch by stretch."""
+    """The columns whose maximum values are told stretch by stretch."""
     loads = study.problem.loads
     assert loads is not None
     return [loads.unknown.name, *(["eta"] if loads.friction and study.varies("eta") else [])]
@@ -122,7 +122,7 @@ def table(study: Study, press: Press) -> str:
     quotients = "eta" in keys and two_loads(study)  # else η is P_out/P_in throughout, as its formula says
     header = [f"${study.whole.drive.symbol}$", *_HEADER[press.lang][: 3 if quotients else 2]]
     symbols = [f"$|{study.whole.info(key).symbol}|$" if key != "eta" else "$η$" for key in keys]
-    header += [f"{symbol} 最大" if press.lang == "zh" else f"Greatest {symbol}" for symbol in symbols]
+    header += [f"{symbol} 最大" if press.lang == "zh" else f"Maximum {symbol}" for symbol in symbols]
     lines = [
         (ranges(study, [duty]).of(press.lang), *_line(study, duty, spots, press.lang, quotients))
         for duty, spots in made

@@ -17,7 +17,7 @@ from ....words import Words
 from .stated import output_pins
 
 _EVEN, _MARKED = 1.0005, 1.05  # ratio of the strokes: from where there is a quick return, and one worth the name
-_ALIKE = 1e-6  # of the greatest value
+_ALIKE = 1e-6  # of the maximum value
 
 
 def output(study: Study, link: str) -> Iterator[Words]:
@@ -74,7 +74,7 @@ def _greatest(study: Study, found: Extremes, key: str, high: Spot, low: Spot) ->
     listed = [first, *(place.split(" = ")[1] for place in others)]
     where = Words("、".join(listed), " and ".join(listed)) if others else _placed(study, found, tops[0])
     zh, en = where.zh, where.en
-    return Words(f"$|{symbol}|$ 最大 {told}（{zh}）", f"the greatest $|{symbol}|$ is {told}, at {en}")
+    return Words(f"$|{symbol}|$ 最大 {told}（{zh}）", f"the maximum $|{symbol}|$ is {told}, at {en}")
 
 
 def _turning(study: Study, link: str) -> Words:
@@ -132,7 +132,7 @@ def points(study: Study) -> Iterator[Words]:
         yield Words(
             f"{zh}$|v_{{{letter}}}|$ 最大 {top[0][0]}（{top[0][1].zh}），$|a_{{{letter}}}|$ 最大 {top[1][0]}（"
             f"{top[1][1].zh}）。",
-            f"{en}$|v_{{{letter}}}|$ is greatest, {top[0][0]}, at {top[0][1].en}, "
+            f"{en}$|v_{{{letter}}}|$ has its maximum, {top[0][0]}, at {top[0][1].en}, "
             f"$|a_{{{letter}}}|$, {top[1][0]}, at {top[1][1].en}.",
         )
 

@@ -92,7 +92,7 @@ def _gathered(study: Study, told: list[Cause]) -> Iterator[Words]:
         )
         yield Words(
             f"{zh}的峰值在 {what} 最小处（{at}）前后 {widest} 以内{more.zh}。",
-            f"The peaks of {en} lie within {widest} of the place where {what} is least ({at}){more.en}.",
+            f"The peaks of {en} lie within {widest} of the position where {what} is least ({at}){more.en}.",
         )
 
 

@@ -40,6 +40,6 @@ def by_ways(some: Sequence[Answer], numbers: Sequence[str], sense: Words) -> Wor
     near = (
         Words(f"相差{'' if two else '不超过'} {gap} %", f"they differ by {'' if two else 'at most '}{gap} %")
         if most
-        else Words("结果一致", "they agree")
+        else Words("结果一致", "in agreement")
     )
     return Words(f"{symbol} = {zh}{sense.zh}，{near.zh}", f"{symbol} = {en}{sense.en}: {near.en}")

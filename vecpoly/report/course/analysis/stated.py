@@ -11,6 +11,7 @@ import numpy as np
 from ....findings.output_links import ends
 from ....findings.shown import shown
 from ....findings.study.study import Study
+from ....foundation.patterns import pattern
 from ....mechanism.model import Prismatic
 from ....names import Kind, Rel
 from ....printed.angles import bearing_told
@@ -31,6 +32,7 @@ _AXES = {
     270: Words("向下", "downwards"),
 }
 _NEAR = 0.05  # degrees
+_BARE = pattern(r"\$[^$]+\$ ")
 _MANY = 10  # quantities asked: of more, those of the output are told, and where the others stand
 _LISTED = 3  # instant centres asked: of more, a table tells the places
 _COMMA, _DRAWN, _EXACT = (
@@ -58,9 +60,22 @@ def stated(study: Study) -> Iterator[Words]:
     rest = Words("；其余各量见 6.2", "; for the others see 6.2") if 0 < len(main) < len(keys) else Words("", "")
     near = agreement([one for key in main or keys if (one := study.solution.answers.get(key)) is not None])
     yield Words(
-        f"题设位置 {at}{taken.zh}，{how.zh}{'；'.join(w.zh for w in told)}{rest.zh}。{near.zh}",
-        f"In the given position, {at}{taken.en}, {how.en}{'; '.join(w.en for w in told)}{rest.en}.{near.en}",
+        f"题设位置 {at}{taken.zh}，{how.zh}{'；'.join(w.zh for w in _once(told))}{rest.zh}。{near.zh}",
+        f"In the given position, {at}{taken.en}, {how.en}{'; '.join(w.en for w in _once(told))}{rest.en}.{near.en}",
     )
+
+
+def _once(told: list[Words]) -> Iterator[Words]:
+    """What has the same value and direction is told of all at once: $R_{12}$ = $R_{23}$ = 321 N."""
+    same: dict[tuple[str, str], list[Words]] = {}
+    for n, one in enumerate(told):
+        symbol, _, value_told = one.en.partition("= ")
+        alone = not _BARE.fullmatch(symbol)
+        same.setdefault((value_told, str(n) * alone), []).append(one)
+    for some in same.values():
+        heads = "= ".join(one.en.partition("= ")[0] for one in some)
+        ends = Words(*(text.partition("= ")[2] for text in (some[0].zh, some[0].en)))
+        yield some[0] if len(some) == 1 else Words.same(f"{heads}= ") + ends
 
 
 def _all_ways(study: Study, keys: list[str]) -> Words | None:
@@ -85,7 +100,7 @@ def _centres(study: Study, keys: list[str]) -> Words:
     count = len(answers)
     return Words(
         f"全部 {count} 个瞬心，位置列于 6.2" + (f"，其中 {'、'.join(far)} 在无穷远处" if far else ""),
-        f"all {count} instant centres, with their places in 6.2"
+        f"all {count} instant centres, with their positions in 6.2"
         + (f", {' and '.join(far)} at infinity" if far else ""),
     )
 

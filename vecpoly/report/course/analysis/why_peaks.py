@@ -18,11 +18,11 @@ from ....findings.study.study import Study
 from ....words import Words
 from ..numbering import SMALL, Press
 
-_SECOND = 0.4  # of the greatest value: another peak worth a line
+_SECOND = 0.4  # of the maximum value: another peak worth a line
 _PEAK = 1.8  # times the rms: a sine has √2, and less than this is no peak
 _FURTHER = 1.5  # times the rms: of a quantity that has a peak, another one
 _ROWS = 16
-_ALIKE = 1e-6  # of the greatest value
+_ALIKE = 1e-6  # of the maximum value
 _MAIN = 2.0  # times the other's logarithm: so much alone is the cause
 _HEADER = {
     "zh": ["量", "峰值", "原动件位置", "峰值/均方根", "分母", "分母/均方根", "分子/均方根", "成因"],
@@ -31,8 +31,8 @@ _HEADER = {
 GREW, SHRANK = Words("分子增大引起", "numerator large"), Words("分母减小引起", "divisor small")
 _BOTH = Words("两者兼有", "both")
 _WHY = {  # by the words of the table
-    GREW.zh: Words("峰值由分子增大引起", "the peak comes from a large numerator, not of a small divisor"),
-    SHRANK.zh: Words("峰值由分母减小引起", "the peak comes from a small divisor, not of a large numerator"),
+    GREW.zh: Words("峰值由分子增大引起", "the peak comes from a large numerator, not from a small divisor"),
+    SHRANK.zh: Words("峰值由分母减小引起", "the peak comes from a small divisor, not from a large numerator"),
     _BOTH.zh: Words("分子增大和分母减小都是成因", "both a large numerator and a small divisor make the peak"),
 }
 
@@ -165,6 +165,7 @@ def alone(study: Study, one: Cause) -> Words:
     return Words(
         f"突出的峰值只有一个：{symbol} = {value}（{at}），为其均方根值的 {times} 倍。该处算式的分子为其均方根值的 "
         f"{one.up:.2f} 倍，分母 {by} 为 {one.down:.2f} 倍，所以{why.zh}。",
-        f"There is one pronounced peak: {symbol} = {value} at {at}, {times} times the rms of this quantity. There the "
-        f"numerator of its formula is {one.up:.2f} times its own rms, the divisor {by} {one.down:.2f} times: {why.en}.",
+        f"There is one pronounced peak: {symbol} = {value} at {at}, {times} times the root mean square (rms) of this "
+        f"quantity. There the numerator of its formula is {one.up:.2f} times its own rms, the divisor {by} "
+        f"{one.down:.2f} times: {why.en}.",
     )

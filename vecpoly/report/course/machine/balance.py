@@ -17,7 +17,7 @@ from ..results.plots import curve, swept
 from ..results.tabled import laid_out
 from .sums import displayed, shaking
 
-_EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": ["Quantity", "Greatest", "At", "Least", "At"]}
+_EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": ["Quantity", "Maximum", "At", "Minimum", "At"]}
 _WEIGHTS = {"zh": ["构件", "支点", "$m_c r_c$ /(kg·m)", "方位"], "en": ["Link", "Pivot", "$m_c r_c$ /(kg·m)", "Where"]}
 
 
@@ -30,7 +30,7 @@ def sections(study: Study, press: Press, found: Shaking) -> list[dict[str, Any]]
 
 
 def _bounded(found: Shaking) -> bool:
-    """Whether the force has a greatest value: at a change point, and where a drive goes through a dead point, it has
+    """Whether the force has a maximum value: at a change point, and where a drive goes through a dead point, it has
     none."""
     return found.force.highest is None or isfinite(found.force.highest.value)
 
@@ -111,7 +111,7 @@ def _static(study: Study, found: Shaking) -> Words:
     change = (f"{abs(share):.1f} %", Words("减小", "less") if share < 0 else Words("增大", "more"))
     return _needed(study, found) + Words(
         f"；此时惯性力的最大值为 {left} N，比原来{change[1].zh} {change[0]}，由作平面运动和移动的构件引起。",
-        f"; the greatest force is then {left} N, {change[0]} {change[1].en} than without, and comes from the links "
+        f"; the maximum force is then {left} N, {change[0]} {change[1].en} than without, and comes from the links "
         "that slide or move in general.",
     )
 
@@ -147,7 +147,7 @@ def _crank(study: Study, best: Best) -> Words:
         f"product of {product} "
         f"kg·m at {told} counter-clockwise from the link's own axis: it takes away that part of the force which turns "
         "with the "
-        f"crank. The greatest force changes from {sizes[0]} N to {sizes[1]} N, and its root mean square falls from "
+        f"crank. The maximum force changes from {sizes[0]} N to {sizes[1]} N, and its root mean square falls from "
         f"{sizes[2]} N to {sizes[3]} N.",
     )
 
@@ -161,7 +161,7 @@ def _weights(study: Study, press: Press, found: Shaking) -> str:
 
 
 def conclusion(study: Study, found: Shaking) -> list[Words]:
-    """The greatest shaking force, and what the crank's counterweight leaves."""
+    """The maximum shaking force, and what the crank's counterweight leaves."""
     top, best = found.force.highest, found.best
     if top is None or not _bounded(found):
         return []
@@ -178,7 +178,7 @@ def conclusion(study: Study, found: Shaking) -> list[Words]:
     return [
         Words(
             f"机架所受惯性力最大为 {size} N（{place}）{less.zh}。",
-            f"The greatest shaking force is {size} N ({place}){less.en}.",
+            f"The maximum shaking force is {size} N ({place}){less.en}.",
         )
     ]
 

@@ -1,9 +1,10 @@
-"""The chapters on the machine that the data allow, and a sentence for each that they do not."""
+"""The chapters on the machine that the data allow."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from ....findings.machine.running import Running, running
@@ -32,25 +33,18 @@ def found(study: Study) -> Machine:
 
 
 def chapters(study: Study, press: Press, machine: Machine) -> dict[str, Any]:
-    """`told`: number, title and sections of each; `left_out`: why one is not there; `next`: the number that follows."""
+    """`told`: number, title and sections of each; `next`: the number that follows."""
     made: list[tuple[Words, Callable[[], list[dict[str, Any]]]]] = []
-    left_out: list[Words] = []
-    match machine.motion:
-        case Running() as run:
-            made.append((_MOTION, lambda: motion.sections(study, press, run)))
-        case Words() as why:
-            left_out.append(_without(_MOTION, why))
-    match machine.balance:
-        case Shaking() as shaken:
-            made.append((_BALANCE, lambda: balance.sections(study, press, shaken)))
-        case Words() as why:
-            left_out.append(_without(_BALANCE, why))
+    if isinstance(run := machine.motion, Running):
+        made.append((_MOTION, partial(motion.sections, study, press, run)))
+    if isinstance(shaken := machine.balance, Shaking):
+        made.append((_BALANCE, partial(balance.sections, study, press, shaken)))
     told = []
     for n, (title, sections) in enumerate(made, FIRST):
         press.chapter = str(n)
         every = [one | {"shown": press.shown(one["tables"], one["figures"])} for one in sections()]
         told.append({"n": n, "title": title.of(press.lang), "sections": every})
-    return {"told": told, "left_out": [w.of(press.lang) for w in left_out], "next": FIRST + len(made)}
+    return {"told": told, "next": FIRST + len(made)}
 
 
 def conclusion(study: Study, machine: Machine) -> list[Words]:
@@ -61,7 +55,3 @@ def conclusion(study: Study, machine: Machine) -> list[Words]:
     if isinstance(machine.balance, Shaking):
         said += balance.conclusion(study, machine.balance)
     return said
-
-
-def _without(title: Words, why: Words) -> Words:
-    return Words(f"本报告不含“{title.zh}”一章：{why.zh}。", f"There is no chapter “{title.en}”: {why.en}.")

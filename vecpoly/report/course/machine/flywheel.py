@@ -50,7 +50,7 @@ def _needed(study: Study, run: Running, cuts: Tangents) -> Words:
         f"The mean speed is $ω_m$ = {opening[0]} rad/s, the coefficient of speed fluctuation "
         f"allowed [$δ$] = {opening[1]}. With the changes "
         "of $J_e$ left "
-        f"out $J_F$ = $ΔW_{{max}}$/($ω_m^2$[$δ$]). With them, two tangents are laid on the loop of $E$ over $J_e$, "
+        f"out $J_F$ = $ΔW_{{max}}$/($ω_m^2$[$δ$]). With them, two tangents are laid on the loop of $E$ versus $J_e$, "
         "with the slopes "
         f"$ω_{{max}}^2$/2 = {number(cuts.steep, 5)} and $ω_{{min}}^2$/2 = {number(cuts.flat, 5)}; they touch it at "
         f"{upper} and {lower}, "

@@ -96,13 +96,13 @@ def conclusion(study: Study, run: Running) -> list[Words]:
         return []
     work_ = number(run.surplus, 4)
     if run.found is None or run.steady is None or run.steady.delta is None or run.by_areas is None:
-        return [Words(f"最大盈亏功 $ΔW_{{max}}$ = {work_} J。", f"The greatest surplus of work is {work_} J.")]
+        return [Words(f"最大盈亏功 $ΔW_{{max}}$ = {work_} J。", f"The maximum surplus of work is {work_} J.")]
     a, b, delta = number(run.by_areas, 4), number(run.found.flywheel, 4), number(run.steady.delta, 4)
     return [
         Words(
             f"最大盈亏功 $ΔW_{{max}}$ = {work_} J；要使 $δ$ ≤ {delta}，飞轮的转动惯量按最大盈亏功近似为 {a} kg·m²，"
             f"精确值为 {b} kg·m²。",
-            f"The greatest surplus of work is {work_} J; $δ$ ≤ {delta} needs a flywheel of {b} kg·m² ({a} kg·m² by "
+            f"The maximum surplus of work is {work_} J; $δ$ ≤ {delta} needs a flywheel of {b} kg·m² ({a} kg·m² by "
             "areas alone).",
         )
     ]

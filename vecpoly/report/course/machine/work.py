@@ -23,7 +23,7 @@ _HEADER = {
 }
 _Reals = NDArray[np.float64]
 _KINDS = (Words("亏功", "lost"), Words("盈功", "gained"))
-_LITTLE = 1e-9  # of the greatest surplus: no piece of its own
+_LITTLE = 1e-9  # of the maximum surplus: no piece of its own
 POINTS = 9  # of a piece of the period
 _GUARD = 3  # decimals beyond those of a difference that its terms may have
 
@@ -111,7 +111,7 @@ def _angle(run: Running, psi: float) -> str:
 
 
 def _plain(run: Running, energy: float) -> float:
-    """An energy (J): nothing for what rounding leaves beside the greatest surplus."""
+    """An energy (J): nothing for what rounding leaves beside the maximum surplus."""
     return 0.0 if abs(energy) < _LITTLE * run.surplus else energy
 
 
@@ -155,7 +155,7 @@ def energy(study: Study, lang: str, run: Running) -> Plotted:
     height = of.of_pieces(of.works, at).ravel()
     marks = tuple((of.degrees(top.psi), _plain(run, top.value)) for top in (run.high, run.low))
     symbol = study.turn.drive.symbol
-    title = Words(f"盈亏功累计值 $E$ 随 ${symbol}$ 的变化", f"$E$ over ${symbol}$; dots: greatest, least")
+    title = Words(f"盈亏功累计值 $E$ 随 ${symbol}$ 的变化", f"$E$ over ${symbol}$; dots: maximum, minimum")
     return given(study, lang, (angle, height), ("E", "J"), title, marks=marks)
 
 

@@ -10,6 +10,7 @@ from ....cycle.facts.path import Shape
 from ....cycle.facts.path_words import path_sentences
 from ....findings.shown import dead_points
 from ....findings.study.study import Study
+from ....findings.study.working_range import SOUND
 from ....findings.transmission import transmission
 from ....names import subscripted
 from ....words import Words
@@ -226,10 +227,12 @@ def _range(study: Study, press: Press) -> str:
     if not study.facts.dead:
         return (told + Words("。", "")).of(press.lang)
     dead, many = dead_points(study), len(study.facts.dead) > 1
-    lie = f"at {dead.en}, {'lie dead points' if many else 'lies a dead point'}"
+    lies = f"the dead point{'s' * many}, at {dead.en}"
     beyond = Words(
-        f"；死点在 {dead.zh} 处，其附近速度和加速度急剧增大，未予列出。",
-        f" Beyond it, {lie}, towards which velocities and accelerations grow without bound.",
+        f"。该范围不包括死点（{dead.zh}）附近杆组行列式小于其最大值 {100 * SOUND:.0f} % 的位置，"
+        "那里速度和加速度急剧增大。",
+        f" It leaves out the neighbourhood of {lies}, where a determinant is under {100 * SOUND:.0f} % of its largest "
+        "value and velocities and accelerations grow without bound.",
     )
     return (told + beyond).of(press.lang)
 

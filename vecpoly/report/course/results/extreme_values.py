@@ -1,4 +1,4 @@
-"""Greatest and least values to full accuracy, and where they occur."""
+"""Greatest and minimum values to full accuracy, and where they occur."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ _DIGITS, _MOST = 4, 6  # significant digits; decimals
 _TOLD = 2  # positions that are alike, of which the table has room
 _EXTREMES = {
     "zh": ["量", "单位", "最大值", "位置", "最小值", "位置"],
-    "en": ["Quantity", "Unit", "Greatest", "At", "Least", "At"],
+    "en": ["Quantity", "Unit", "Maximum", "At", "Minimum", "At"],
 }
 
 
 def extremes(study: Study, press: Press) -> str:
-    """Greatest and least values to full accuracy, and where they occur."""
+    """Greatest and minimum values to full accuracy, and where they occur."""
     keys = [f"{stem}_{link}" for link in study.links for stem in ("omega", "alpha")]
     points = [letter for letter in study.points if not is_trivial(study, letter)]
     keys += [key for letter in points for key in (f"p_{letter}.x", f"p_{letter}.y", f"v_{letter}", f"a_{letter}")]

@@ -20,7 +20,7 @@ from ...flow.style import CAPTION
 from ...statement.structure import kind_of
 from ..numbering import Press
 from .groups_apart import apart
-from .kinds import ROLLING
+from .kinds import ROLLING, members, pairs_told
 from .other_drives import others
 from .special_joints import concluded, special
 
@@ -110,18 +110,21 @@ def _link(study: Study, name: str) -> Words:
 
 def _groups(study: Study, press: Press) -> str:
     comma = "、" if press.lang == "zh" else ", "
-    rows = [_drive(study, press)]
-    for i, group in enumerate(decompose(study.mech), 1):
+    groups = decompose(study.mech)
+    rows = [] if study.mech.drive.between and any(group.ram for group in groups) else [_drive(study, press)]
+    for i, group in enumerate(groups, 1):
         outer = comma.join(_joint(study.mech, out.joint) for out in group.outer)
-        inner = comma.join(_joint(study.mech, joint) for joint in group.inner)
+        inner = comma.join(
+            _joint(study.mech, joint) for joint in group.inner if not group.ram or joint != group.ram.pair
+        )
         kind = (
             kind_of(group).of(press.lang)
             if group.dyad or group.ram
             else ROLLING[group.kind].of(press.lang)
             if group.kind in ROLLING
-            else "—"
+            else pairs_told(group)
         )
-        names = comma.join(study.name(name) for name in group.links)
+        names = comma.join(members(study, group))
         rows.append((str(i), names, kind, _class(group, press.lang), outer, inner))
     return press.table(
         Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc"

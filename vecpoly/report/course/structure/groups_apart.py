@@ -17,8 +17,7 @@ from ....mechanism.model import Mechanism, Prismatic, Revolute
 from ....names import subscripted
 from ....problem.problem import Problem
 from ....words import Words, begun
-from ...statement.structure import group_zh, kind_of
-from .kinds import ROLLING
+from .kinds import kind_told, members
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take
 BAR = 2  # centres that it joins; a block has one
@@ -34,15 +33,7 @@ def apart(study: Study) -> list[Figure]:
         for link in driving
     ]
     for i, group in enumerate(decompose(study.mech), 1):
-        names = [study.name(link) for link in group.links]
-        kind = ROLLING.get(
-            group.kind,
-            Words(group_zh(group), f"{kind_of(group).en} group")
-            if group.dyad or group.ram
-            else Words(group_zh(group), begun(kind_of(group)).en)
-            if group.kind == "driven"
-            else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"),
-        )
+        names, kind = members(study, group), begun(kind_told(group))
         many = "links" if len(names) > 1 else "link"
         title = Words(f"{kind.zh}（构件 {'、'.join(names)}）", f"{kind.en} ({many} {', '.join(names)})")
         figures.append(_figure(study, group.links, _outer(group) + _inner(group), title, str(i)))

@@ -10,8 +10,12 @@ from ....mechanism.groups.assur import Group, decompose, hinges
 from ....mechanism.model import Prismatic, Rolling
 from ....mechanism.rams import driver_words
 from ....words import Words
-from ...statement.structure import group_zh, kind_of, welded
-from .kinds import ROLLING
+from ...statement.structure import welded
+from .kinds import kind_told, members
+
+_CYLINDER = Words(
+    "原动件为油缸，其长度给定时计为一个构件。", "The cylinder drives; at a given length it counts as one link. "
+)
 
 
 def special(study: Study) -> Iterator[Words]:
@@ -29,11 +33,12 @@ def special(study: Study) -> Iterator[Words]:
         zh, en = "、".join(f"${p}$" for p in slots), ", ".join(f"${p}$" for p in slots)
         yield Words(
             f"{zh} 处的销在槽中滑动为高副，以滑块低代，计为一个转动副和一个移动副。",
-            f"The pin in the slot at {en} is a higher pair; replaced by a block it counts as one hinge and one slide. ",
+            f"The pin in the slot at {en} is a higher pair; replaced by a block it counts as one revolute and one "
+            "prismatic joint. ",
         )
     if any(isinstance(j, Rolling) for j in mech.joints):
         yield Words(
-            "纯滚动副限制两个自由度，按低副计；两轮中心距已由构件保持者，按高副计。",
+            "纯滚动副限制两个自由度，按低副计；中心距由构件保证的齿轮副，按高副计。",
             "Pure rolling removes two degrees of freedom and counts as a lower pair; where links hold the two centres "
             "at their distance it counts as a higher pair. ",
         )
@@ -69,59 +74,52 @@ def _highest(groups: Sequence[Group]) -> str:
     )
 
 
-def _kind(group: Group, inside: bool) -> str:
-    """RRR, Ⅲ 级; inside: beside a group in which the input acts, 杆组 follows."""
-    if inside:
-        return group_zh(group)
-    if group.dyad or group.ram:
-        return kind_of(group).zh
-    if group.kind in ROLLING:
-        return ROLLING[group.kind].zh
-    return f"{NUMERALS.get(group.kind.removeprefix('class '), group.kind)} 级"
-
-
 def concluded(study: Study) -> Words:
     """The class of the mechanism: that of its highest group."""
-    groups = decompose(study.mech)
-    inside = any(group.kind == "driven" for group in groups)
-    zh, en = [], []
-    for group in groups:
-        names = [study.name(link) for link in group.links]
-        zh.append(f"{_kind(group, inside)}（构件 {'、'.join(names)}）")
-        en.append(f"{kind_of(group).en} ({', '.join(names)})")
-    driver = driver_words(study.mech)
-    driven = (
-        driver
-        if study.mech.drive.between
-        else Words(f"原动件 {study.mech.drive.link} ", f"the driving link {study.mech.drive.link}")
-    )
-    if inside:
-        return Words(
-            f"因此机构由{'、'.join(zh)}组成，驱动副（{driver.zh.strip()}）在杆组之内。",
-            f"So the mechanism consists of {', '.join(en)}; what drives, {driver.en}, is inside the group.",
+    groups, driver = decompose(study.mech), driver_words(study.mech)
+    told = _parts(study, groups)
+    if any(group.kind == "driven" for group in groups):
+        return told + Words(
+            f"组成，驱动副（{driver.zh.strip()}）在杆组之内。", f"; what drives, {driver.en}, is inside the group."
         )
     if any(group.dyad is None and group.ram is None and not group.kind.startswith("class") for group in groups):
-        return Words(
-            f"因此机构由{driven.zh}和 {'、'.join(zh)}组成；齿轮的转动由纯滚动条件直接确定。",
-            f"So the mechanism consists of {driven.en} and {', '.join(en)}; rolling tells directly "
-            "how a held gear turns.",
-        )
-    top = _highest(groups)
-    roman, one = NUMERALS.get(top, top), len(groups) == 1
+        return told + Words("组成；齿轮的转动由纯滚动条件直接确定。", "; rolling tells directly how a held gear turns.")
+    return (_CYLINDER if any(group.ram for group in groups) else Words("", "")) + told + _classed(groups)
+
+
+def _parts(study: Study, groups: Sequence[Group]) -> Words:
+    """What drives, and every group with its links."""
+    zh, en = [], []
+    for group in groups:
+        names, kind = members(study, group), kind_told(group)
+        zh.append(f"{kind.zh}（构件 {'、'.join(names)}）")
+        en.append(f"the {kind.en.removeprefix('the ')} (link{'s' * (len(names) > 1)} {', '.join(names)})")
+    driven = _driver(study, groups)
+    return Words(f"因此机构由{driven.zh}{'、'.join(zh)}", f"So the mechanism consists of {driven.en}{_listed(en)}")
+
+
+def _driver(study: Study, groups: Sequence[Group]) -> Words:
+    """What drives, before the groups; a cylinder is a link of one of them."""
+    driver = driver_words(study.mech)
+    if not study.mech.drive.between:
+        link = study.mech.drive.link
+        return Words(f"原动件 {link} 和", f"the driving link {link} and ")
+    if any(group.ram or group.kind == "driven" for group in groups):
+        return Words("", "")
+    return Words(f"{driver.zh.strip()}和", f"{driver.en} and ")
+
+
+def _classed(groups: Sequence[Group]) -> Words:
+    """The class of the highest group, which is that of the mechanism."""
+    top, one = _highest(groups), len(groups) == 1
+    roman = NUMERALS.get(top, top)
+    said = f", of class {top}" if one and top == "II" else "" if one else f", of which the highest class is {top}"
     return Words(
-        f"因此机构由{driven.zh}和 {'、'.join(zh)}{_assur(groups)}组成，"
-        f"{'该杆组为' if one else '所含杆组的最高级别为'} {roman} 级，故为 {roman} 级机构。",
-        f"So the mechanism consists of {driven.en} and the group{'s' * (not one)} {_listed(en)}"
-        + (f", which is of class {top}" if one else f", of which the highest class is {top}")
-        + f"; it is therefore a class {top} mechanism.",
+        f"组成，{'该杆组为' if one else '所含杆组的最高级别为'} {roman} 级，故为 {roman} 级机构。",
+        f"{said}; it is therefore a class {top} mechanism.",
     )
-
-
-def _assur(groups: Sequence[Group]) -> str:
-    """杆组 after names that are without it."""
-    return "" if any(g.kind.startswith("class") for g in groups) else "杆组"
 
 
 def _listed(names: Sequence[str]) -> str:
-    """RRR (2, 3), RRP (4, 5) and RPR (6, 7)."""
+    """The RRR group (links 2, 3), the RRP group (links 4, 5) and the RPR group (links 6, 7)."""
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1]))) if names else ""

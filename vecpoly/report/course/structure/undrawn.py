@@ -28,7 +28,7 @@ def undrawn(problem: Problem, error: NoMethodError, by: str = "drafting") -> Sol
     step = Step(
         number=1,
         section=Words("机构简图", "The mechanism"),
-        words=Words("由计算所得的各点位置作简图。", "The sketch shows the computed places."),
+        words=Words("由计算所得的各点位置作简图。", "The sketch shows the computed positions."),
     )
     figure = Figure(
         view=View.MECHANISM,

@@ -13,10 +13,10 @@ from .loose import OPENEST, grown
 from .sectioned import HALF, heads, settled
 from .setting import tightened
 
-ENOUGH, LAST = 0.8, 0.6  # of a page of text, and of the last one: what is filled so far looks full
+ENOUGH, LAST = 0.7, 0.6  # of a page of text, and of the last one: what is filled so far looks full
 _SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 6)))
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
-_Score = tuple[int, int, int, int, float]
+_Score = tuple[int, int, int, int, int, float]
 
 
 def balanced(doc: ReportDoc, plain: Sequence[Any]) -> ReportDoc:
@@ -26,7 +26,7 @@ def balanced(doc: ReportDoc, plain: Sequence[Any]) -> ReportDoc:
     if len(doc.filled) < 2:
         return doc
     for one in _ways(plain):
-        if not best[-1]:
+        if not any(best[-2:]):
             break
         tried = ReportDoc(one, doc.metadata)
         tried.counted()
@@ -44,7 +44,7 @@ def emptiness(filled: Sequence[float]) -> float:
 
 def _score(doc: ReportDoc) -> _Score:
     thin = sum(full < HALF for full in doc.filled)
-    return int(doc.page), len(doc.widows), doc.parted, thin, round(emptiness(doc.filled), 4)
+    return int(doc.page), len(doc.widows), doc.parted, thin, doc.gaps, round(emptiness(doc.filled), 4)
 
 
 def _ways(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 NEARLY = 0.75  # of a page: what holds less ends where it ends
-OPENEST = 1.8  # times as much white, at most
+OPENEST = 1.04  # times as much white, at most
 SHARE = 0.96  # of the room that is left: no block may be pushed from its page
 
 

@@ -10,7 +10,7 @@ from ..doc import ReportDoc
 from .setting import faults_of, tightened
 
 ENOUGH = 0.9  # of its pages: what is filled so far looks full
-OPENEST = 0.25  # by which share a text may grow
+OPENEST = 0.25  # by which share a text may grow: white and figures by so much
 TRIED = (0.85, 0.45)  # of the room that is left: no page fills to its last line
 
 
@@ -28,5 +28,6 @@ def loosened(story: Sequence[Any], doc: ReportDoc) -> ReportDoc:
 
 
 def grown(share: float) -> Tightness:
-    """So open that a text of the common kind takes this share more of room."""
-    return Tightness(white=1 + 4.8 * share, lines=1 + 0.3 * share, figures=1 + 0.45 * share)
+    """So open that a text of the common kind takes up to this share more of room: white and figures grow alike, and
+    with what is added at the foot of a page (`justified`) white is opened by 30 % at most."""
+    return Tightness(white=1 + share, lines=1 + 0.3 * share, figures=1 + share)

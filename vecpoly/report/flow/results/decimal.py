@@ -12,6 +12,10 @@ from ..cells import cells, joined
 BREAKS = "≙"  # after a length on paper, before its value: there a cell is broken where room is short
 # up to the point, or to the end of a whole number; after a length on paper (210 mm ≙) that of its value
 _NUMBER = re.compile(r"(?:[^≙]*≙)?\s*[+−-]?\d+")
+_DECIMALS, _UNLIKE = (
+    re.compile(r"[+−-]?\d+(?:\.(\d+))?"),
+    2,
+)  # decimals that one number of a column has more than another
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,16 +26,17 @@ class Aligned:
     after: float
     em: float
     chinese: bool
+    ragged: bool = False  # numbers of so unlike decimals, 724 and 0.0051, that points under each other leave a zigzag
 
     @property
     def width(self) -> float:
         """What the numbers take together."""
-        return self.before + self.after
+        return 0.0 if self.ragged else self.before + self.after
 
     def indent(self, text: str, room: float) -> float | None:
         """Where a cell begins in a column of this width, its numbers in the middle; None of what is no number, of a
         plain 0 among numbers with decimals, which has no decimals to stand by, and where the column is too narrow."""
-        if text == "0" and self.after > 0.0:
+        if self.ragged or (text == "0" and self.after > 0.0):
             return None
         parts = _parts(text, self.em, self.chinese)
         if parts is None or self.width > room + 0.01:
@@ -41,9 +46,11 @@ class Aligned:
 
 def aligned(texts: Iterable[str], em: float, chinese: bool) -> Aligned:
     """The column of these texts."""
+    texts = [*texts]
     parts = [part for text in texts if (part := _parts(text, em, chinese)) is not None]
     before, after = max((a for a, _ in parts), default=0.0), max((b for _, b in parts), default=0.0)
-    return Aligned(before, after, em, chinese)
+    places = [len(found[1] or "") for text in texts if text != "0" and (found := _DECIMALS.fullmatch(text)) is not None]
+    return Aligned(before, after, em, chinese, bool(places) and max(places) - min(places) >= _UNLIKE)
 
 
 def grouped(texts: Sequence[str], groups: Sequence[str], em: float, chinese: bool) -> tuple[Aligned, ...]:

@@ -14,8 +14,8 @@ def opening(cam: Cam) -> Words:
             "$d$ 为半径的圆的交点，"
             "给出起始时切于基圆的平底的垂线方向（$d$ 为平底到 $A$ 的距离），量得平底的初始角 $ψ_0$。",
             "To the scale $μ_l$ draw the base circle of radius $r_0$ and the circle of the pivots through $A$ about "
-            "$O$. The circle over $OA$ meets that of radius $r_0$ − $d$ about $O$ on the normal of the face, which "
-            "touches the base circle at the start ($d$: distance of the face from $A$); $ψ_0$ is read there.",
+            "$O$. The circle on $OA$ as diameter meets that of radius $r_0$ − $d$ about $O$ on the normal of the face, "
+            "which touches the base circle at the start ($d$: distance of the face from $A$); $ψ_0$ is read there.",
         )
     if cam.arm:
         return Words(
@@ -62,14 +62,14 @@ def turning(cam: Cam) -> Words:
                 "在各分点按起始时的作法得切于基圆的平底，再绕 $A$ 转过位移线图上的 $ψ$，得平底的各位置。",
                 "At each station the face that touches the base circle is found as at the start and turned about $A$ "
                 "by "
-                "the $ψ$ of the diagram: the face in its places.",
+                "the $ψ$ of the diagram: the face in its successive positions.",
             )
         return opened + Words(
             "在各分点以 $AB$ 为半径作弧交基圆，自该处转过位移线图上的 $ψ$ 得 $B_1$、$B_2$…"
             "（图上只在 $A$ 的各位置标出 1、2…），连成理论廓线。",
             "At each station the arc of radius $AB$ meets the base circle; from there the arm is turned by the $ψ$ "
-            "of the diagram. The points $B_1$, $B_2$ ... (the figure has 1, 2 ... at the places of $A$) give the pitch "
-            "curve.",
+            "of the diagram. The points $B_1$, $B_2$ ... (the figure has 1, 2 ... at the positions of $A$) give "
+            "the pitch curve.",
         )
     if cam.follower.flat:
         return opened + Words(

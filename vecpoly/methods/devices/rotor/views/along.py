@@ -33,7 +33,7 @@ def along(bench: Bench, rotor: Rotor) -> None:
             + ("，半径方向取投影 $r sin θ$" if true else "（半径方向不按比例）")
             + ("；方位待求的质量向上画出。" if sought else "。"),
             "Draw the rotor along its axis to the scale $μ_l$: the planes of the masses and those of the correction"
-            + (", radially the projections $r sin θ$" if true else " (radially to no scale)")
+            + (", radially the projections $r sin θ$" if true else " (radial dimensions not to scale)")
             + ("; masses whose direction is sought are drawn upwards." if sought else "."),
         ),
         View.MECHANISM,

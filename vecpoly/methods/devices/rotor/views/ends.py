@@ -52,8 +52,8 @@ _SEEN = Words(
 )
 _DIRECTIONS = Words(
     "画出端视图：各质径积的方位角 $θ$（自 $x$ 轴逆时针为正）；长度不按比例。",
-    "Sketch the end view: the direction $θ$ of every product, counter-clockwise from the $x$ axis; lengths are to no "
-    "scale.",
+    "Sketch the end view: the direction $θ$ of every product, counter-clockwise from the $x$ axis; lengths are not "
+    "to scale.",
 )
 
 
