@@ -15,11 +15,8 @@ from ...words import Lang, Words
 from ..content import Objects
 from ..flow.base import Block
 from ..flow.blocks import Drawing, Heading
-from ..flow.para import Para
-from ..flow.style import NOTE
 from ..plates.sketch import sketch_of
 from .blanks import empty_table, working_room
-from .columns import NONE
 from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
@@ -28,7 +25,6 @@ from .working import working
 
 WORKING = Words("计算过程", "Working")
 _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
-_DASHES = Words("“—”处不填。", "— : not to be filled in.")
 
 
 def _starts(figure: Figure) -> bool:
@@ -60,8 +56,6 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
     title = _READ if all(one.reading.mm is not None for one in solution.answers.values()) else _FOUND
     table = empty_table(solution, lang)
     foot: list[Block] = [Heading(title.of(lang), 3, lang), table]
-    if any(NONE in row for row in table.rows):
-        foot.append(Para(_DASHES.of(lang), NOTE, lang))
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
