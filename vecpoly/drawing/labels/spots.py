@@ -13,6 +13,7 @@ from .want import Thing, Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 0.95, 1.9, 3.0, 4.4)
+OFF, NEAR = 5.0, 2.5  # what a letter of a point costs that stands farther from it than this (mm)
 TIGHT = 2.0  # what the closest of them costs beyond its distance: a digit all but touches a thick bar there
 FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
 CROWD = (12.0, 14.2, 15.5, 16.8, 18.0), (20.0, 22.0, 24.5, 27.0, 30.0)
@@ -24,6 +25,7 @@ LETTERED = 12.0  # what it costs beyond that for the letter of a point: first of
 SOONER = 0.4  # of that in a crowd: a leader tells better than a place beside something else
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 SHORT = 0.8  # mm that a leader ends before the lettering
+BENT, STRAIGHT = 14.0, 0.6  # what a leader costs whose cosine to the line that it names is less
 LEVEL, OFF_LEVEL = GAPS[1], 24.0  # where the numbers of an axis stand, and what a mm off that line costs
 
 
@@ -61,6 +63,7 @@ def beside(want: Want, middle: complex) -> Spots:
     gap = np.array(GAPS)[:, None]
     near = feet[..., None] + _offset(sides[:, None], want.radius + want.clear + gap, half, all_round)
     by_gap = PER_DISTANCE * gap + TIGHT * (gap == GAPS[0]) + OFF_LEVEL * want.level * np.abs(gap - LEVEL)
+    by_gap += OFF * (want.thing is Thing.POINT) * (gap > NEAR)
     return Spots(
         near.ravel(),
         (base[:, None] + by_gap).ravel(),
@@ -80,8 +83,19 @@ def on_leaders(want: Want, ring: tuple[float, ...] | None = None) -> Spots:
     far = np.array(ring or (FARTHER if want.farther else FAR))[:, None, None]
     led = feet + _offset(DIRECTIONS, want.radius + far, _half(want), True)
     at = np.broadcast_to(feet + DIRECTIONS * (want.radius if _all_round(want) else 0.0), led.shape).ravel()
-    dear = np.broadcast_to(price_of_leader(want) + PER_DISTANCE * far + PER_FRACTION * number, led.shape)
+    dear = np.broadcast_to(price_of_leader(want) + PER_DISTANCE * far + PER_FRACTION * number + bent(want), led.shape)
     return Spots(led.ravel(), dear.ravel(), at, at)
+
+
+def bent(want: Want) -> Floats:
+    """What leaders in all directions cost that leave the line of a direction sideways: with its end they would be taken
+    for the sign of a right angle."""
+    a, b = want.own
+    if want.thing is not Thing.DIRECTION or a == b:
+        return np.zeros(len(DIRECTIONS))
+    along = np.abs((DIRECTIONS * ((b - a) / abs(b - a)).conjugate()).real)
+    result: Floats = BENT * (along < STRAIGHT)
+    return result
 
 
 def price_of_leader(want: Want) -> float:

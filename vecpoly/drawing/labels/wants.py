@@ -41,7 +41,7 @@ from ..style import (
     THIN,
     Hue,
 )
-from ..symbols.angles import TAIL, narrow
+from ..symbols.angles import TAIL, narrow, sweep_of
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
@@ -61,6 +61,7 @@ _RADIUS = {
 # mm along its axis by which a number may stand beside its tick
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0, 2.6, -2.6, 3.8, -3.8)
 TICK = 8.0  # mm: a longer line at an axis is no tick, as an ordinate
+ABOUT_HEAD = 2.8  # mm about the head of an arrow that turns
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -133,6 +134,12 @@ def unnamed(marks: tuple[Mark, ...]) -> tuple[Spot, ...]:
     named = {mark.at for mark in points if mark.label}
     silent = {mark.at: _RADIUS[mark.dot] for mark in points if mark.at not in named}
     return tuple((at, radius) for at, radius in silent.items() if all(abs(at - other) > NEAR for other in named))
+
+
+def heads(marks: tuple[Mark, ...]) -> tuple[Spot, ...]:
+    """The heads of arrows that turn, by which a letter could be meant: what is nearer to one than to its own thing."""
+    turning = (mark for mark in marks if isinstance(mark, TurnArrow) and mark.radius > NEAR)
+    return tuple((one.at + cmath.rect(one.radius, one.start + sweep_of(one)), ABOUT_HEAD) for one in turning)
 
 
 def _taken(marks: tuple[Mark, ...]) -> list[Spot]:
