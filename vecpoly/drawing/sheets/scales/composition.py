@@ -21,7 +21,6 @@ NEVER = 10**6  # sheets: of figures of which one fits none
 LEAST = 0.55  # of the usual size: smaller no figure is drawn to save a sheet
 USUAL_WIDE, USUAL = 150.0, 100.0  # mm: of a figure that has the width of a page, of another
 USUAL_OWN = 180.0  # mm: of one with a scale of its own, on which the most is drawn
-AUXILIARY = 40.0  # mm: of a polygon of velocities beside forces
 PER_LETTER, PLAIN = 8.0, 100.0  # mm: a diagram beside polygons is as large as its letters ask, but no smaller than this
 READ = 10.0  # mm: a vector as long is read to 1 %; a figure with a shorter one counts as smaller than it is
 ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at most
@@ -205,20 +204,11 @@ class Composing:
         return self.size(kind, scales) / self.wanted(kind) * sqrt(min(1.0, shortest / READ))
 
     def wanted(self, kind: Place) -> float:
-        """How large such a figure is drawn by hand: a diagram beside polygons as large as what stands in it asks; a
-        polygon of velocities that tells forces their senses and nothing else, small."""
-        if kind is View.VELOCITY and self._forces_alone:
-            return AUXILIARY
+        """How large such a figure is drawn by hand: a diagram beside polygons as large as what stands in it asks."""
         if kind is not View.MECHANISM or not any(isinstance(one, Pane) or one.images for one in self.kinds):
             return usual(kind)
         letters = max((one.letters for one in self.figures if one.of is kind), default=0)
         return min(max(PLAIN, PER_LETTER * letters), usual(kind))
-
-    @property
-    def _forces_alone(self) -> bool:
-        """Whether forces are drawn for which no acceleration is."""
-        drawn = {view_of(one.of) for one in self.figures if one.of is not None}
-        return View.FORCE in drawn and View.ACCELERATION not in drawn
 
     def size(self, kind: Place, scales: Mapping[Place, float]) -> float:
         """How large a kind is drawn: the longer side of its largest figure (mm)."""
