@@ -27,6 +27,7 @@ PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 SHORT = 0.8  # mm that a leader ends before the lettering
 BENT, STRAIGHT = 14.0, 0.6  # what a leader costs whose cosine to the line that it names is less
 LEVEL, OFF_LEVEL = GAPS[1], 24.0  # where the numbers of an axis stand, and what a mm off that line costs
+SHIFTED = 2.5  # times what other letters pay for the next place along a line pays a number for one beside its tick
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +60,7 @@ def beside(want: Want, middle: complex) -> Spots:
     sides = DIRECTIONS[None] if all_round else normals if want.one_sided else np.hstack([normals, -normals])
     away, reach = feet - middle, np.abs(feet - middle)
     away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
-    base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
+    base = PER_FRACTION * (SHIFTED if want.level else 1.0) * number + 1.0 * (1 - (sides * away.conjugate()).real)
     gap = np.array(GAPS)[:, None]
     near = feet[..., None] + _offset(sides[:, None], want.radius + want.clear + gap, half, all_round)
     by_gap = PER_DISTANCE * gap + TIGHT * (gap == GAPS[0]) + OFF_LEVEL * want.level * np.abs(gap - LEVEL)

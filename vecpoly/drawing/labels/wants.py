@@ -114,7 +114,7 @@ def _note(mark: Note, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Wan
     ends = ((at, side), (over, -side)) if over != at else ((at, side),)
     feet = tuple(end + 1j * side * by for end, _ in ends for by in ASIDE)
     ways = tuple(way for _, way in ends for _ in ASIDE)
-    return Want((piece,), feet, ways, keep, (at, at), one_sided=True, level=True)
+    return Want((piece,), feet, ways, max(keep, RESULT / 2), (at, at), one_sided=True, level=True)
 
 
 def _is_of(number: LinkNumber, guide: Mark) -> bool:
