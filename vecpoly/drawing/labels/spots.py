@@ -26,6 +26,7 @@ SOONER = 0.4  # of that in a crowd: a leader tells better than a place beside so
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 SHORT = 0.8  # mm that a leader ends before the lettering
 BENT, STRAIGHT = 14.0, 0.6  # what a leader costs whose cosine to the line that it names is less
+BEHIND, ASLANT = 60.0, 0.2  # what a leader of the frame's number costs that runs over its guide; cosine
 LEVEL, OFF_LEVEL = GAPS[1], 24.0  # where the numbers of an axis stand, and what a mm off that line costs
 SHIFTED = 2.5  # times what other letters pay for the next place along a line pays a number for one beside its tick
 
@@ -84,14 +85,19 @@ def on_leaders(want: Want, ring: tuple[float, ...] | None = None) -> Spots:
     far = np.array(ring or (FARTHER if want.farther else FAR))[:, None, None]
     led = feet + _offset(DIRECTIONS, want.radius + far, _half(want), True)
     at = np.broadcast_to(feet + DIRECTIONS * (want.radius if _all_round(want) else 0.0), led.shape).ravel()
+    if want.one_sided and want.thing is Thing.LINK:
+        at = np.broadcast_to(feet + want.radius * np.array(want.normals[:LED])[:, None], led.shape).ravel()
     dear = np.broadcast_to(price_of_leader(want) + PER_DISTANCE * far + PER_FRACTION * number + bent(want), led.shape)
     return Spots(led.ravel(), dear.ravel(), at, at)
 
 
 def bent(want: Want) -> Floats:
     """What leaders in all directions cost that leave the line of a direction sideways: with its end they would be taken
-    for the sign of a right angle."""
+    for the sign of a right angle; and those of the frame's number that do not come from the side of its hatching."""
     a, b = want.own
+    if want.one_sided and want.thing is Thing.LINK:
+        behind: Floats = BEHIND * ((DIRECTIONS * np.conj(want.normals[0])).real < ASLANT)
+        return behind
     if want.thing is not Thing.DIRECTION or a == b:
         return np.zeros(len(DIRECTIONS))
     along = np.abs((DIRECTIONS * ((b - a) / abs(b - a)).conjugate()).real)
@@ -133,9 +139,8 @@ def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
     if far >= len(FARTHER):
         return None
     foot, u = want.feet[number], complex(DIRECTIONS[way])
-    return foot + complex(_offset(u, want.radius + FARTHER[far], half, True)), foot + u * (
-        want.radius if all_round else 0.0
-    )
+    rim = u if all_round else want.normals[number] if want.one_sided and want.thing is Thing.LINK else 0.0
+    return foot + complex(_offset(u, want.radius + FARTHER[far], half, True)), foot + rim * want.radius
 
 
 def _offset(u: Any, distance: Any, half: complex, round_point: bool) -> Any:

@@ -76,8 +76,8 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
             case LinkNumber(a=a, number=number) if (ground := _ground(mark, marks)) is not None:
                 a, b = foot_of(ground)
                 found.append(along_line(a, b, HATCH, (piece(number, Hue.BLACK, mark.step),), Thing.LINK))
-            case LinkNumber(a=a, b=b, number=number) if any(_is_of(mark, guide) for guide in marks):
-                found.append(under(a, b, HATCH, piece(number, Hue.BLACK, mark.step)))
+            case LinkNumber(number=number) if (guide := _guide(mark, marks)) is not None:
+                found.append(under(guide.a, guide.b, HATCH, piece(number, Hue.BLACK, mark.step)))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(keep_at(a, taken), _disc(a, marks))
                 found.append(number_of_link(mark, piece(number, Hue.BLACK, mark.step), marks, keep))
@@ -117,9 +117,17 @@ def _note(mark: Note, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Wan
     return Want((piece,), feet, ways, max(keep, RESULT / 2), (at, at), one_sided=True, level=True)
 
 
-def _is_of(number: LinkNumber, guide: Mark) -> bool:
-    """Whether it is the number of this fixed guide: the frame's, where it has no pivot."""
-    return isinstance(guide, FixedGuide) and guide.owner == number.owner and (guide.a, guide.b) == (number.a, number.b)
+def _guide(number: LinkNumber, marks: tuple[Mark, ...]) -> FixedGuide | None:
+    """The fixed guide of which this is the number: the frame's, where it has no pivot. On a sketch it is not reduced
+    with the rest: the nearest of those of its direction."""
+    along = (number.b - number.a).conjugate()
+    found = [
+        mark
+        for mark in marks
+        if isinstance(mark, FixedGuide) and mark.owner == number.owner and abs(number.b - number.a) > NEAR
+        if abs(((mark.b - mark.a) * along).imag) < NEAR * abs(along) * abs(mark.b - mark.a)
+    ]
+    return min(found, key=lambda guide: abs(guide.a + guide.b - number.a - number.b), default=None)
 
 
 def _ground(number: LinkNumber, marks: tuple[Mark, ...]) -> Ground | None:

@@ -71,7 +71,7 @@ def kinds_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
 def side_by_side(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
     """Where vectors that lie on one line are drawn beside each other."""
     for figure in figures:
-        if beside(figure.view, figure.marks) is not figure.marks:
+        if not figure.view.bodies and beside(figure.view, figure.marks) is not figure.marks:
             pair = tuple(Vector(a=1j * y, b=WIDE + 1j * y, role=Role.RESULT) for y in (ASIDE / 2, -ASIDE / 2))
             words = Words("并排的矢量实际共线", "drawn side by side, in fact collinear")
             yield Entry(drawn_as_on(figure, pair, lang, black=True), words)

@@ -157,11 +157,7 @@ LETTERS: tuple[Letter, ...] = (
     Letter(_motion, r"m_3", Words("曲率半径最小处", "least radius of curvature")),
     Letter(is_of_cam, r"r_\{(\d+)\}", Words("$φ$ = {}° 处的向径", "radius at $φ$ = {}°")),
     Letter(_of_flat_face, r"P_[12]", Words("推程、回程中离 $O$ 最远的瞬心", "farthest instant centre, rise, return")),
-    Letter(
-        _of_flat_arm,
-        r"[AT]_[12](\^′)?",
-        Words("离垂足 $A′$ 最近、最远的切点 $T$", "nearest, farthest contact $T$ to $A′$"),
-    ),
+    Letter(_of_flat_arm, r"[AT]_[12](\^′)?", Words("离垂足最近、最远的切点", "nearest, farthest contact")),
     Letter(is_of_cam, r"C_0", Words("起始导路的垂足", "foot of the first guide")),
     Letter(is_of_cam, r"B_0", Words("推程起始点", "start of the rise")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"P", Words("相对瞬心", "relative instant centre")),
