@@ -28,7 +28,7 @@ SHORT = 0.8  # mm that a leader ends before the lettering
 BENT, STRAIGHT = 14.0, 0.6  # what a leader costs whose cosine to the line that it names is less
 BEHIND, ASLANT = 60.0, 0.2  # what a leader of the frame's number costs that runs over its guide; cosine
 LEVEL, OFF_LEVEL = GAPS[1], 24.0  # where the numbers of an axis stand, and what a mm off that line costs
-SHIFTED = 2.5  # times what other letters pay for the next place along a line pays a number for one beside its tick
+SHIFTED = 2.0  # times what other letters pay for the next place along a line pays a number for one beside its tick
 
 
 @dataclass(frozen=True, slots=True)
