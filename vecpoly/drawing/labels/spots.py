@@ -13,7 +13,7 @@ from .want import Thing, Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 0.95, 1.9, 3.0, 4.4)
-OFF, NEAR = 5.0, 2.5  # what a letter of a point costs that stands farther from it than this (mm)
+OFF, NEAR = 7.0, 2.5  # what a letter of a point costs that stands farther from it than this (mm)
 TIGHT = 2.0  # what the closest of them costs beyond its distance: a digit all but touches a thick bar there
 FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
 CROWD = (12.0, 14.2, 15.5, 16.8, 18.0), (20.0, 22.0, 24.5, 27.0, 30.0)
