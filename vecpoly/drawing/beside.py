@@ -27,7 +27,8 @@ def beside(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
     those apart that lie on a bar."""
     if view is View.MECHANISM:
         bars = [mark for mark in marks if isinstance(mark, Segment) and mark.role is Role.LINK]
-        return tuple(_moved(mark, _off_bars(mark, bars)) for mark in marks)
+        aside = [_off_bars(mark, bars) for mark in marks]
+        return tuple(map(_moved, marks, aside)) if any(aside) else marks
     if view.bodies:
         return marks  # there forces stand where they act
     vectors = [mark for mark in marks if isinstance(mark, Vector) and abs(mark.b - mark.a) > SHORT]

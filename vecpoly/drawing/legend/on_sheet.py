@@ -27,9 +27,9 @@ ROWS = 4  # of a band on a page: what is higher is a block
 
 def with_legend(sheet: Sheet) -> Sheet:
     """The sheet with what its lines and symbols stand for: on a band; else with the figures laid out anew, closer
-    together; else on one without what is plain, in either way; else with the figures as close as they may stand; else,
-    with both, on a block; else parted on two blocks or three, of the inks of vectors and of the rest where they have room so; else
-    as much of it as has room; as it is where all is plain, or nothing has room."""
+    together; else on one without what is plain, in either way; else with the figures as close as they may stand;
+    else, with both, on a block; else parted on two blocks or three, of the inks of vectors and of the rest where
+    they have room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
     sets = _sets(sheet)
     if sheet.plate:
         return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet

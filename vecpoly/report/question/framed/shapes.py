@@ -33,7 +33,8 @@ def completed(figure: Figure, problem: Problem) -> Figure:
     """A place of a cam with the base circle that its frame has room for, whole; any other figure as it is."""
     if not (isinstance(problem.subject, Cam) and figure.name and figure.view is View.MECHANISM):
         return figure
-    return replace(figure, marks=(*figure.marks, *cam(problem.subject, figure)[1:]))
+    first = min(mark.step for mark in figure.marks)
+    return replace(figure, marks=(*figure.marks, *(replace(m, step=first) for m in cam(problem.subject, figure)[1:])))
 
 
 def gear(subject: GearGeneration, figure: Figure) -> tuple[Mark, ...]:
