@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import cmath
+
 import pytest
 
+from tests.drawn_library import drawn
 from tests.drawn_sheets import laid
+from tests.label_faults import text_of
+from vecpoly.board.paper.marks import AngleMark
+from vecpoly.drawing.figure import drawing
 from vecpoly.drawing.scene import TextBox
 from vecpoly.drawing.sheets.lifting import LOW
 from vecpoly.drawing.sheets.sheet import Sheet
+from vecpoly.drawing.symbols.angles import draw_angle
 
 
 def _titles(sheet: Sheet) -> list[float]:
@@ -47,3 +54,14 @@ def test_a_figure_that_is_raised_keeps_its_origin_on_it(name: str) -> None:
             marks = [m for m in one.figure.marks if type(m).__name__ == "Segment"]
             placed = [m.a + one.origin for m in marks]
             assert not placed or any(round(z.real, 3) + 1j * round(z.imag, 3) in ends for z in placed)
+
+
+def test_two_narrow_angles_side_by_side_have_arcs_alone_with_their_letters_beside_them() -> None:
+    """Arrowheads of both lay on the line between them: φ of a friction cone could not be read."""
+    cones = next(one for one in drawn("5-2").construction.figures if one.name == "cones")
+    angles = [mark for mark in cones.marks if isinstance(mark, AngleMark)]
+    assert len(angles) == 4
+    assert all(len(draw_angle(mark, angles)) == 1 < len(draw_angle(mark)) for mark in angles)
+    letters = [label for label in drawing(cones).labels if text_of(label) == "φ"]
+    ends = [mark.at + cmath.rect(mark.radius, mark.start + part * mark.sweep) for mark in angles for part in (0, 1)]
+    assert all(min(abs(label.centre - end) for end in ends) < 4.5 for label in letters)

@@ -41,7 +41,7 @@ from ..style import (
     THIN,
     Hue,
 )
-from ..symbols.angles import TAIL, narrow, sweep_of
+from ..symbols.angles import TAIL, adjoins, narrow, sweep_of
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
@@ -61,6 +61,7 @@ _RADIUS = {
 # mm along its axis by which a number may stand beside its tick
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0, 2.6, -2.6, 3.8, -3.8)
 TICK = 8.0  # mm: a longer line at an axis is no tick, as an ordinate
+ARC_ALONE = 0.8  # mm beside an arc that has no tails
 ABOUT_HEAD = 2.8  # mm about the head of an arrow that turns
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
@@ -99,7 +100,9 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
 def _angle(mark: AngleMark, marks: tuple[Mark, ...]) -> Want:
     """The symbol of an angle, with its value where that has room."""
     its, (symbol, equals, _) = piece(mark.label, Hue.BLACK, mark.step), mark.label.partition(" = ")
-    want = _outside(mark, its) if narrow(mark) else bow(mark, its, marks, FRACTIONS)
+    others = [one for one in marks if isinstance(one, AngleMark)]
+    tail = ARC_ALONE if adjoins(mark, others) else TAIL
+    want = _outside(mark, its, tail) if narrow(mark) else bow(mark, its, marks, FRACTIONS)
     return replace(want, brief=(piece(symbol, Hue.BLACK, mark.step),)) if equals else want
 
 
@@ -189,9 +192,9 @@ def _vector(mark: Vector, hue: Hue) -> Want:
     return along_line(mark.a, mark.b, RESULT / 2, (piece(mark.label, hue, mark.step),), Thing.VECTOR)
 
 
-def _outside(mark: AngleMark, piece: Piece) -> Want:
+def _outside(mark: AngleMark, piece: Piece, tail: float) -> Want:
     """Beyond the arc of a narrow angle, or beside the ends of its tails."""
-    turn = math.copysign(TAIL / mark.radius, mark.sweep)
+    turn = math.copysign(tail / mark.radius, mark.sweep)
     ways = (mark.start + mark.sweep / 2, mark.start + mark.sweep + turn, mark.start - turn)
     out = tuple(cmath.exp(1j * a) for a in ways)
     normals = (out[0], out[1] * 1j * math.copysign(1, turn), out[2] * -1j * math.copysign(1, turn))

@@ -5,7 +5,20 @@ from __future__ import annotations
 from itertools import pairwise
 
 from ...board.construction import View
-from ...board.paper.marks import Block, Disc, Dot, FrictionCircle, Ground, Mark, Point, Role, Segment, Slot, Vector
+from ...board.paper.marks import (
+    AngleMark,
+    Block,
+    Disc,
+    Dot,
+    FrictionCircle,
+    Ground,
+    Mark,
+    Point,
+    Role,
+    Segment,
+    Slot,
+    Vector,
+)  # fmt: skip
 from ...board.paper.walls import holds, leaves
 from ...foundation.slotted import dataclass
 from ...words import Lang
@@ -36,6 +49,7 @@ class Surroundings:
     tones: Tones = None
     spots: frozenset[complex] = frozenset()  # where points and pivots stand
     links: tuple[tuple[complex, complex], ...] = ()  # the lines of links
+    angles: tuple[AngleMark, ...] = ()
     common: frozenset[Segment] = frozenset()  # lines of action on which several forces lie
 
     @classmethod
@@ -50,6 +64,7 @@ class Surroundings:
             circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
             discs=tuple(m for m in marks if isinstance(m, Disc)),
             links=() if view.images else tuple(outlines(marks)),
+            angles=tuple(m for m in marks if isinstance(m, AngleMark)),
             common=shared(view, marks),
             tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5),
             spots=frozenset(

@@ -72,7 +72,7 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
         case TurnArrow():
             return draw_turn(mark, mark_hue(mark, around.view, mark.label, around.tones))
         case AngleMark():
-            return draw_angle(mark)
+            return draw_angle(mark, around.angles)
         case LinkNumber() | Note():
             return ()
     assert_never(mark)
