@@ -9,7 +9,7 @@ import pytest
 from tests.drawn_library import drawn
 from tests.drawn_sheets import laid
 from tests.label_faults import text_of
-from vecpoly.board.paper.marks import AngleMark
+from vecpoly.board.paper.marks import AngleMark, Segment
 from vecpoly.drawing.figure import drawing
 from vecpoly.drawing.scene import TextBox
 from vecpoly.drawing.sheets.lifting import LOW
@@ -51,7 +51,7 @@ def test_a_figure_that_is_raised_keeps_its_origin_on_it(name: str) -> None:
             if one.figure is None:
                 continue
             ends = {round(z.real, 3) + 1j * round(z.imag, 3) for i in scene.items for z in getattr(i, "points", ())}
-            marks = [m for m in one.figure.marks if type(m).__name__ == "Segment"]
+            marks = [m for m in one.figure.marks if isinstance(m, Segment)]
             placed = [m.a + one.origin for m in marks]
             assert not placed or any(round(z.real, 3) + 1j * round(z.imag, 3) in ends for z in placed)
 
