@@ -230,3 +230,5 @@ def test_the_disc_of_a_clamp_is_printed_with_its_handle_and_the_friction_circle_
     assert {type(mark) for mark in body} == {Disc, Point, FrictionCircle, Segment, Vector}
     assert all(mark.role is Role.GIVEN and mark.label == "F" for mark in body if isinstance(mark, Vector))
     assert any(isinstance(mark, FrictionCircle) for mark in blanks("5-3")["mechanism", "released"])
+    vectors = {key: [m for m in marks if isinstance(m, Vector)] for key, marks in blanks("5-3").items()}
+    assert [key for key, some in vectors.items() if some] == [("body", "disc")], "R_21 is the student's to find"

@@ -122,7 +122,10 @@ def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name:
         poses = [m for m in inside if isinstance(m, Outline) or getattr(m, "role", None) in (Role.GIVEN, Role.HIDDEN)]
         assert all(mark.act in data for mark in poses)
         inside = [mark for mark in inside if mark not in poses]
-        if frame.view is View.MECHANISM and not isinstance(problem.subject, EccentricClamp):
+        if isinstance(problem.subject, EccentricClamp) and frame.view is not View.FORCE:  # its shape is given, and F
+            assert {mark.label for mark in inside if isinstance(mark, Vector)} <= {"F"}
+            assert all(mark.act in data for mark in inside)
+        elif frame.view is View.MECHANISM:
             lines = [mark for mark in inside if isinstance(mark, Segment)]
             circles = [mark for mark in inside if isinstance(mark, Arc)]
             assert frame.name == "centre polygon" or all(is_given(mark, frame, problem) for mark in circles)
@@ -133,7 +136,7 @@ def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name:
         elif any(isinstance(mark, (Vector, Segment)) for mark in inside):
             assert frame.view.across is not None or frame.view.name in ("indicator", "loop", "end-view")
             assert curves or not any(getattr(mark, "role", None) is Role.RESULT for mark in inside)
-        elif not isinstance(problem.subject, EccentricClamp):  # all of its shape is given
+        else:
             starts = (Dot.JOINT, Dot.POINT) if frame.view is View.BODY else (Dot.POLE,)
             assert all(isinstance(mark, Point) and mark.dot in starts for mark in inside)
             assert len(inside) <= 1

@@ -56,7 +56,7 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
     if figure.view is INDICATOR:
         return _levels(figure, size)
     start = begins_at(figure)
-    if start is None or known:
+    if start is None or (known and figure.view is View.BODY):
         return _middled(figure, known, size), tuple(known)
     if start.dot is Dot.POLE and figure.view is not HODOGRAPH:
         return _in_the_middle(figure, start, size)

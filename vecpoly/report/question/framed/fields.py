@@ -29,7 +29,7 @@ class Fields(NamedTuple):
     """The numbers of the equations that are drawn in a frame, which are written on the pages before, and what is read
     off, if anything is; broad: whether the frame is as wide as an equation that is written; bar: that of its scale,
     with a line of its `own` where it has none beside the readings; unnumbered: an equation is drawn there that has no
-    number, and a line to be written on."""
+    number, and a line to be written on; placed: coordinates are read off."""
 
     equations: tuple[int, ...]
     read: Readings | None
@@ -37,6 +37,7 @@ class Fields(NamedTuple):
     bar: Bar | None = None
     own: bool = True
     unnumbered: bool = False
+    placed: bool = False
 
     @property
     def above(self) -> float:
@@ -58,7 +59,8 @@ def fields(construction: Construction, figure: Figure) -> Fields:
     """What is written in the frame of this figure."""
     read = readings(construction, figure) if figure.view.across is None else None  # an axis has what is read along it
     found = numbers(construction, figure)
-    return Fields(found, read, bar=bar_of(figure), unnumbered=not found and _summed(figure))
+    placed = read is not None and any(one.placed for one in read.blanks)
+    return Fields(found, read, bar=bar_of(figure), unnumbered=not found and _summed(figure), placed=placed)
 
 
 def _summed(figure: Figure) -> bool:

@@ -182,7 +182,7 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> F
     (low, high), shown = framed(figure, (size[0], size[1] - told.above - told.below), known)
     low, high = low - 1j * told.below, high + 1j * told.above
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
-    if told.read is not None and any(one.placed for one in told.read.blanks):
+    if told.placed:
         shown += tuple(origin((low + 1j * told.below, high - 1j * told.above)))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
     return replace(figure, title=doubtful(figure.title), marks=border + shown + tuple(written(told, low, high)))

@@ -70,7 +70,7 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
         return cam(problem.subject, figure)
     if isinstance(problem.subject, Generation) and figure.view is View.MECHANISM:
         return gear(problem.subject, figure)
-    if isinstance(problem.subject, EccentricClamp):
+    if isinstance(problem.subject, EccentricClamp) and figure.view in (View.MECHANISM, View.BODY):
         return clamp(figure)
     if figure.view is View.BODY:  # of wedges their outlines, whose angles are data; one that is measured would tell
         shaped = isinstance(problem.subject, _SHAPED) and not is_measured(construction, figure)
