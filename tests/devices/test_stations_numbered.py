@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 import pytest
 
 from tests.drawn_library import drawn
 from tests.label_faults import text_of
 from vecpoly.board.construction import Figure, View
-from vecpoly.board.paper.marks import Arc, Note, Point
+from vecpoly.board.paper.marks import Arc, Curve, Note
 from vecpoly.drawing.figure import drawing
 from vecpoly.methods.diagrams.axes import MOST, STEPS, angle_steps
 
@@ -22,11 +20,34 @@ def cam(name: str) -> Figure:
 @pytest.mark.parametrize("name", ["cam-undercut", "cam-roller-offset"])
 def test_each_station_of_a_roller_has_its_number_beyond_all_its_circles(name: str) -> None:
     figure = cam(name)
-    numbers = [m for m in figure.marks if isinstance(m, Point) and re.fullmatch(r"\d+", m.label)]
+    numbers = [m for m in figure.marks if isinstance(m, Note) and m.words.en.isdigit()]
     radius = min(m.radius for m in figure.marks if isinstance(m, Arc))
     rollers = [m for m in figure.marks if isinstance(m, Arc) and m.radius == pytest.approx(radius)]
     assert len(numbers) > 10
     assert all(abs(number.at - circle.centre) > circle.radius for number in numbers for circle in rollers)
+
+
+@pytest.mark.parametrize("name", ["cam-flat-face", "cam-flat-arm", "cam-heart", "cam-rocker"])
+def test_all_stations_but_the_first_stand_outside_the_cam_on_their_rays(name: str) -> None:
+    """Some stood inside the profile, some between two points; odd ones were missing."""
+    figure = cam(name)
+    notes = [m for m in figure.marks if isinstance(m, Note) and m.words.en.isdigit()]
+    assert [int(m.words.en) for m in notes] == [*range(1, len(notes) + 1)] and len(notes) > 22
+    labels = {text_of(one): one for one in drawing(figure).labels if text_of(one).isdigit()}
+    curve = max(abs(z) for m in figure.marks if isinstance(m, Curve) for z in m.points)
+    for note in notes:
+        away = labels[note.words.en].centre - note.at
+        assert (away * note.side.conjugate()).real > 0.7 * abs(away)
+        assert abs(note.at) > 0.6 * curve
+
+
+@pytest.mark.parametrize("name", ["cam-flat-face", "cam-roller-offset"])
+def test_the_numbers_of_a_displacement_diagram_stand_under_their_ordinates(name: str) -> None:
+    """Those at the ends of pieces stood beside the marks of the angles."""
+    figure = next(one for one in drawn(name).construction.figures if one.view.name == "displacement")
+    for label in drawing(figure).labels:
+        if text_of(label).isdigit():
+            assert abs((label.centre - label.want.own[0]).real) < 1.1
 
 
 def test_no_number_of_a_station_needs_a_leader() -> None:

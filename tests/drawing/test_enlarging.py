@@ -47,7 +47,7 @@ def _most_about_one(figure: Figure) -> int:
     return max(sum(abs(z - w) <= ABOUT for w in at) for z in at)
 
 
-@pytest.mark.parametrize("name", ["crank-pin-in-slot", "2-8full", "compound-hinge-six-bar"])
+@pytest.mark.parametrize("name", ["crank-pin-in-slot", "2-8full"])
 def test_a_figure_in_which_letters_crowd_is_drawn_larger_and_fewer_stand_about_one_of_them_then(name: str) -> None:
     ((old, new),) = _larger(name)
     assert _most_about_one(old) >= MANY

@@ -15,9 +15,10 @@ from tests.drawn_library import IDS, drawn
 from tests.each import each
 from vecpoly.algebra.formula import is_symbol
 from vecpoly.board.construction import Construction, Figure
-from vecpoly.board.paper.marks import Point, Segment, TurnArrow, Vector
-from vecpoly.board.paper.tones import HUES, MANY, key_of, whose
+from vecpoly.board.paper.marks import Point, Role, Segment, TurnArrow, Vector
+from vecpoly.board.paper.tones import CLOSE, HUES, MANY, key_of, tones, whose
 from vecpoly.drawing.beside import beside
+from vecpoly.drawing.details.apart import detailed
 from vecpoly.drawing.figure import draw_figure
 from vecpoly.drawing.hues import dash_of, hue_of, ink_called, ink_of, is_hollow, mark_hue
 from vecpoly.drawing.scene import Scene, Stroke, TextBox
@@ -246,7 +247,23 @@ def test_couples_and_lines_have_the_hue_of_their_force_or_none() -> None:
             if not (isinstance(mark, TurnArrow) or (isinstance(mark, Segment) and mark.key.startswith("R_"))):
                 continue
             inks = {item.hue for item in draw(mark, around) if isinstance(item, Stroke)}
-            own = ink_of(key_of(mark), figure.tones)
+            own = Hue.BLACK if mark in around.common else ink_of(key_of(mark), figure.tones)
             assert inks == {own} if own in TONES else not inks & set(TONES), (figure.name, mark)
             seen |= {type(mark)} if own in TONES else set()
     assert seen == {TurnArrow, Segment}
+
+
+def test_the_line_on_which_both_reactions_of_a_two_force_link_lie_has_the_ink_of_neither() -> None:
+    """It changed its colour half way, and once more in the detail."""
+    figure = drawn("4-3b").construction.figures[0]
+    common = Surroundings.of(figure.view, figure.marks, "en", figure.tones).common
+    assert {line.key.removesuffix("_0") for line in common} >= {"R_21", "R_32"}
+    assert len({ink_of(line.key, figure.tones) for line in common}) == 2
+    for one in detailed(figure)[1:]:
+        assert not any(isinstance(mark, Segment) and mark.key == "R_32" for mark in one.marks)
+
+
+def test_hues_that_are_close_stand_side_by_side_only_where_no_other_is_left() -> None:
+    few = tones([tuple(Vector(a=0j, b=1j, role=Role.GIVEN, key=f"v_{letter}", step=1) for letter in "ABCDEF")], [])
+    assert not any({a, b} <= set(few.values()) for a, b in CLOSE)
+    assert len(set(few.values())) == 6

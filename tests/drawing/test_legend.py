@@ -109,7 +109,7 @@ def test_a_plate_grows_by_its_legend_and_a_page_stays_as_large_as_it_is() -> Non
 
 
 def test_a_full_sheet_tells_the_inks_of_its_vectors_in_one_block_and_the_rest_in_another() -> None:
-    bare = laid("scissor-lift")[0]
+    bare = laid("six-bar-dynamic")[0]
     sheet = _blocked(bare)
     one, other = (
         rect_of(item) for item in sheet.results if isinstance(item, Stroke) and item.closed and _is_frame(item)
@@ -118,7 +118,7 @@ def test_a_full_sheet_tells_the_inks_of_its_vectors_in_one_block_and_the_rest_in
     assert not any(part for block in (one, other) for part in _stands_in(sheet, block))
 
 
-@pytest.mark.parametrize("name", ["scissor-lift", "six-bar-dynamic"])
+@pytest.mark.parametrize("name", ["plate-on-crank", "six-bar-dynamic"])
 def test_a_full_sheet_tells_all_kinds_of_vector_and_line_in_blocks_that_overlap_nowhere(name: str) -> None:
     sheet = _blocked(laid(name)[0])
     told = [one for one in entries([one.figure for one in sheet.figures if one.figure], sheet.lang) if not one.plain]

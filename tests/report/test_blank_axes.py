@@ -38,7 +38,7 @@ def test_a_derivative_stands_in_brackets_before_its_unit_and_lengths_are_in_mill
 
 def test_a_diagram_with_axes_may_have_a_frame_as_long_as_itself() -> None:
     """The displacement diagram of a cam stands over the cam, as on the sheet of the solution."""
-    blank, sheets = frames(drawn("cam-heart").construction, drawn("cam-heart").problem)
+    blank, sheets = frames(drawn("cam-flat-face").construction, drawn("cam-flat-face").problem)
     diagram = next(one for one in blank.figures if one.view.across is not None)
     wide, high = extent([mark for mark in diagram.marks if isinstance(mark, Segment)][:4])
     assert wide > 2.5 * high and not sheets[0].landscape and len(sheets[0].tops) == 2

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from functools import cache
+from math import pi
 
 import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import Later, each
 from tests.laws import few
-from vecpoly.board.acts import Area, Gauge, Measure
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
-from vecpoly.board.paper.marks import Dot, Note, Point, Segment
+from vecpoly.board.paper.marks import Arc, Dot, Note, Point, Segment
+from vecpoly.figures import View
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.report.flow.furniture import COLUMN
-from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.blanks import all_sought, empty_table
 from vecpoly.report.question.framed.bar import BAR
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.known import begins_at
@@ -82,18 +83,31 @@ def test_a_body_is_printed_in_the_positions_that_a_synthesis_is_given_and_no_pin
 
 
 @each(DRAWN)
-def test_what_is_read_off_a_figure_has_a_line_in_its_frame_or_no_figure_of_the_problem_has(name: str) -> None:
-    """Where lines for readings would need a sheet more there are none; a diagram has its axes."""
-    answer = drawn(name).construction
-    reads = {act.figure for act in answer.acts if isinstance(act, (Area, Gauge, Measure))}
-    lines = {called_(frame): any(mark.key == READ for mark in frame.marks) for frame in blank_of(name).figures}
-    wanted = {called_(f): f.view.across is None and called_(f) in reads for f in blank_of(name).figures}
-    assert lines == wanted or not any(lines.values())
+def test_every_line_to_write_on_in_a_frame_tells_what_is_written_there(name: str) -> None:
+    """One line named "readings" stood under every figure, for an unknown number of them."""
+    for frame in blank_of(name).figures:
+        rules = [mark for mark in frame.marks if isinstance(mark, Segment) and mark.key == READ]
+        told = [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == READ]
+        assert sum("$" in text or text in ("mm", "°") for text in told) >= len(rules)
+        assert all(any(abs(rule.a - at) < 60.0 for at in places_of(frame)) for rule in rules)
 
 
-def called_(frame: Figure) -> str:
-    """A figure as an act tells it."""
-    return frame.view.name + f" {frame.name}" * bool(frame.name)
+def places_of(frame: Figure) -> list[complex]:
+    """Where it tells what is read."""
+    return [mark.at for mark in frame.marks if isinstance(mark, Note) and mark.key == READ]
+
+
+@pytest.mark.parametrize("name", ["cam-undercut", "cam-flat-face"])
+def test_a_base_circle_is_printed_whole_with_its_centre_off_the_edge_of_its_frame(name: str) -> None:
+    """They were cut at the edge of the frame and over the lines to write on."""
+    cams = [frame for frame in blank_of(name).figures if frame.name and frame.view is View.MECHANISM]
+    for frame in cams:
+        (circle,) = [mark for mark in frame.marks if isinstance(mark, Arc)]
+        low, high = bounds(frame.marks[:4])
+        assert circle.sweep == pytest.approx(2 * pi)
+        reach = circle.centre - low, high - circle.centre
+        assert min(part for one in reach for part in parts(one)) > circle.radius
+    assert cams
 
 
 def test_what_is_asked_has_its_rows_in_the_order_in_which_it_is_found() -> None:
@@ -105,7 +119,18 @@ def test_what_is_asked_has_its_rows_in_the_order_in_which_it_is_found() -> None:
 
 def test_a_vector_on_the_way_has_cells_for_its_length_and_its_direction() -> None:
     rows = {row[0]: row[1:] for row in empty_table(drawn("plate-on-crank").solution, "en").rows}
-    assert rows["$v_{B}$"] == ("", "", "", "") and rows["$ω_{2}$"] == ("—", "", "", "")
+    assert rows["$v_{B}$"] == ("", "", "m/s", "") and rows["$ω_{2}$"] == ("—", "", "rad/s", "")
+
+
+@each(IDS)
+def test_a_value_that_is_asked_has_its_unit_printed_and_no_direction_that_is_asked_by_its_angle(name: str) -> None:
+    solution = drawn(name).solution
+    if all_sought(solution):
+        return
+    table = empty_table(solution, "en")
+    assert not any(cell == "" for row in table.rows for head, cell in zip(table.header, row, strict=True)
+                   if head == "Unit" and not any(text.startswith("**") for text in row) and any(row))  # fmt: skip
+    assert name != "6-5" or "Direction, sense" not in table.header
 
 
 @each(IDS)

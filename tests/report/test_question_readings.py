@@ -13,8 +13,6 @@ from tests.laws import few
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import Arc, Dot, Note, Outline, Point, Segment, Vector
-from vecpoly.drawing.figure import draw_figure
-from vecpoly.drawing.scene import TextBox
 from vecpoly.drawing.sheets.sheet import Hung
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.report.question.blanks import empty_table
@@ -134,24 +132,6 @@ def test_the_outline_of_a_wedge_stands_in_the_middle_of_its_frame() -> None:
 def test_a_polygon_of_couples_has_a_line_for_its_equation_though_that_has_no_number() -> None:
     frame = next(one for one in blank_of("6-4")[0].figures if one.view.name == "couples")
     assert [mark.words.en for mark in frame.marks if isinstance(mark, Note) and mark.key == KEY] == ["Equation:"]
-
-
-@pytest.mark.parametrize("name", ["3-5"])
-def test_the_number_of_an_equation_and_the_word_before_the_readings_stand_on_one_level(name: str) -> None:
-    """Too near to each other, one of them was set 2 mm higher."""
-    levels = 0
-    for frame in blank_of(name)[0].figures:
-        boxes = [one for one in draw_figure(frame, lang="en").items if isinstance(one, TextBox)]
-        heights = {
-            word: one.y
-            for one in boxes
-            for word in ("Equation", "Readings")
-            if any(word in getattr(part, "text", "") for part in one.box.items)
-        }
-        if len(heights) == 2 and abs(heights["Equation"] - heights["Readings"]) < 5.0:
-            assert heights["Equation"] == pytest.approx(heights["Readings"], abs=0.1)
-            levels += 1
-    assert levels
 
 
 def test_each_instant_centre_that_is_asked_has_a_line_for_both_of_its_coordinates() -> None:

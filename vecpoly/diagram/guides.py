@@ -98,9 +98,16 @@ def block_marks(posed: Posed, joint: Prismatic, along: complex | None = None) ->
     """The block of a sliding pair; an arm to its pin where that stands beside the guide."""
     line, pin = posed.guide(joint), posed.at[joint.pin]
     middle = line.foot(pin)
-    yield Block(at=middle, along=along or line.along, on_rod=posed.shapes.get(joint.guide) is Shape.ROD)
+    if not _is_in_fixed_guide(posed, joint):
+        yield Block(at=middle, along=along or line.along, on_rod=posed.shapes.get(joint.guide) is Shape.ROD)
     if abs(pin - middle) > HALF_BLOCK:
         yield Segment(a=middle, b=pin, role=Role.LINK)
+
+
+def _is_in_fixed_guide(posed: Posed, joint: Prismatic) -> bool:
+    """Whether the block of this pair slides in a fixed guide, too, where it is drawn: a block is one body."""
+    others = (one for one in posed.slides() if one.block == joint.block and one.guide == FRAME)
+    return joint.guide != FRAME and any(one.pin == joint.pin for one in others)
 
 
 def reaching(block: Block, pressed: tuple[complex, ...]) -> Block:

@@ -1,4 +1,4 @@
-"""Vectors of a polygon that lie on one line are inked side by side, as a hand draws them, so that each can be seen.
+"""Vectors that lie on one line, or on a bar, are inked side by side, as a hand draws them, so that each can be seen.
 
 Nothing else moves: what is measured, the letters of points and the points themselves stay on the true line.
 """
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..board.construction import View
-from ..board.paper.marks import Mark, Vector
+from ..board.paper.marks import Mark, Role, Segment, Vector
 from ..board.paper.tones import key_of, whose
 from ..foundation.slotted import replace
 
@@ -23,7 +23,12 @@ SAME = 1e-6  # mm
 
 
 def beside(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
-    """The marks with vectors that cover each other drawn apart, the longest on the true line as a rule."""
+    """The marks with vectors that cover each other drawn apart, the longest on the true line as a rule; on a mechanism
+    those apart that lie on a bar."""
+    if view is View.MECHANISM:
+        bars = [mark for mark in marks if isinstance(mark, Segment) and mark.role is Role.LINK]
+        aside = [_off_bars(mark, bars) for mark in marks]
+        return tuple(map(_moved, marks, aside)) if any(aside) else marks
     if view.bodies:
         return marks  # there forces stand where they act
     vectors = [mark for mark in marks if isinstance(mark, Vector) and abs(mark.b - mark.a) > SHORT]
@@ -31,6 +36,19 @@ def beside(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
     lanes = _lanes([vectors[n] for n in order])
     moved = {id(vectors[n]): aside for n, aside in zip(order, lanes, strict=True) if aside}
     return tuple(_moved(mark, moved.get(id(mark), 0.0)) for mark in marks) if moved else marks
+
+
+def _off_bars(vector: Mark, bars: Sequence[Segment]) -> float:
+    """Beside the bar on which a vector lies, which would hide it."""
+    if not isinstance(vector, Vector) or abs(vector.b - vector.a) <= SHORT:
+        return 0.0
+    along = ((vector.b - vector.a) / abs(vector.b - vector.a)).conjugate()
+    for bar in bars:
+        p, q = (bar.a - vector.a) * along, (bar.b - vector.a) * along
+        shared = min(abs(vector.b - vector.a), max(p.real, q.real)) - max(0.0, min(p.real, q.real))
+        if max(abs(p.imag), abs(q.imag)) <= ON_LINE and shared > OVERLAP:
+            return ASIDE
+    return 0.0
 
 
 def _lanes(vectors: Sequence[Vector]) -> list[float]:

@@ -19,7 +19,7 @@ from .labels.ground import broken
 from .labels.kept import Lettering, places_forgotten
 from .labels.notes import LEADING, folded, lines
 from .labels.want import Line, Spot, Want
-from .labels.wants import grounds, unnamed, wants
+from .labels.wants import grounds, heads, unnamed, wants
 from .ringed import is_astray
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
@@ -71,7 +71,7 @@ class Bare:
         around = Surroundings.of(figure.view, marks, lang, figure.tones)
         items = unique(tuple(item for mark in marks for item in draw(mark, around)))
         wanted = wants(figure.view, marks, lang, figure.tones)
-        return cls(items, wanted, unnamed(marks), grounds(marks), figure.view.is_polygon)
+        return cls(items, wanted, (*unnamed(marks), *heads(marks)), grounds(marks), figure.view.is_polygon)
 
     @property
     def extents(self) -> Rect:

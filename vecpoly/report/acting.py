@@ -28,9 +28,9 @@ CLEAR = 1.5  # mm between a force's arrow and its point
 LEAST = 2.2  # mm, the smallest friction circle that can be seen about a pin
 
 
-def acting(mech: Mechanism, loads: Loads, figure: Figure, sheet: Figure) -> tuple[Mark, ...]:
-    """Marks of the loads and of the friction circles for the mechanism as drawn; sheet: the figure to scale, on which a
-    load pulls at its point or presses on it as it does here."""
+def acting(mech: Mechanism, loads: Loads, figure: Figure, drawn: Sequence[Figure]) -> tuple[Mark, ...]:
+    """Marks of the loads and of the friction circles for the mechanism as drawn; drawn: all figures of the solution,
+    the mechanism to scale first: a load pulls at its point or presses on it as it does there."""
     spots = {m.label: m.at for m in figure.marks if isinstance(m, Point)}
     circles = tuple(
         FrictionCircle(centre=spots[pin], radius=max(rho / figure.scale.value, LEAST), step=1)
@@ -39,7 +39,7 @@ def acting(mech: Mechanism, loads: Loads, figure: Figure, sheet: Figure) -> tupl
     )
     arrows: list[Mark] = []
     for load in loads.all:
-        if (mark := _arrow(mech, load, spots, figure, sheet, arrows)) is not None:
+        if (mark := _arrow(mech, load, spots, figure, drawn, arrows)) is not None:
             arrows.append(mark)
     return circles + _springs(mech, loads, spots) + _coils(mech, loads, spots) + tuple(arrows)
 
@@ -70,20 +70,21 @@ def _coils(mech: Mechanism, loads: Loads, spots: dict[str, complex]) -> tuple[Ma
 
 
 def _arrow(
-    mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure, sheet: Figure, drawn: Sequence[Mark]
-) -> Mark | None:
-    """The arrow of one load, beside those that are drawn; none for a moment that is sought, unless told to drive the
-    input or to resist."""
+    mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure, drawn: Sequence[Figure],
+    arrows: Sequence[Mark],
+) -> Mark | None:  # fmt: skip
+    """The arrow of one load, beside those that are there; none for a moment that is sought, unless told to drive or to
+    resist: then its sense is known."""
     symbol = load_named(load).symbol
     if isinstance(load, Force) and load.against:
         return _thrust(load, spots, symbol)
     if isinstance(load, Force):
         return (
-            _force(load, spots[load.point], symbol, figure, _pulls(load, symbol, sheet))
+            _force(load, spots[load.point], symbol, figure, _pulls(load, symbol, drawn[0]))
             if load.point in spots
             else None
         )
-    return _moment(mech, load, spots, symbol, figure, drawn)
+    return _moment(mech, load, spots, symbol, figure, drawn, arrows)
 
 
 def _pulls(load: Force, symbol: str, sheet: Figure) -> bool | None:
@@ -129,8 +130,9 @@ def _gap(p: complex, a: complex, b: complex) -> float:
 
 
 def _moment(
-    mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: str, figure: Figure, drawn: Sequence[Mark]
-) -> TurnArrow | None:
+    mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: str, figure: Figure, drawn: Sequence[Figure],
+    arrows: Sequence[Mark],
+) -> TurnArrow | None:  # fmt: skip
     """About the link's fixed pivot, or its first lettered point; opposite the driving arrow where both turn about one
     pivot, farther out where a circle or another arrow is in its way."""
     letters = [p for p in mech.link(load.link).points if p in spots]
@@ -139,17 +141,21 @@ def _moment(
         return None
     at = spots[centre]
     driving = next((m for m in figure.marks if isinstance(m, TurnArrow) and abs(m.at - at) < 1e-6), None)
-    ccw = _sense(load, driving)
+    ccw = _sense(load, driving, symbol, drawn)
     start = pi / 4 if driving is None else driving.start + pi
     least = TURN_RADIUS if driving is None else BESIDE
-    size = clear_radius([mark for mark in (*figure.marks, *drawn) if mark is not driving], at, least)
+    size = clear_radius([mark for mark in (*figure.marks, *arrows) if mark is not driving], at, least)
     return None if ccw is None else TurnArrow(at=at, radius=size, start=start, ccw=ccw, label=symbol, step=1)
 
 
-def _sense(load: Moment, driving: TurnArrow | None) -> bool | None:
-    """Whether it turns counter-clockwise: as given; as the input is told to turn, or against that."""
+def _sense(load: Moment, driving: TurnArrow | None, symbol: str, drawn: Sequence[Figure]) -> bool | None:
+    """Whether it turns counter-clockwise: as given; as the input is told to turn, or against that; on another link as
+    on its free body, for a resistance acts against the motion of its link."""
     if load.size is not None:
         return load.size > 0
-    if driving is None or not load.role:
+    if not load.role:
         return None
-    return driving.ccw is (load.role == "driving")
+    if driving is not None:
+        return driving.ccw is (load.role == "driving")
+    turns = (mark for figure in drawn for mark in figure.marks if isinstance(mark, TurnArrow))
+    return next((mark.ccw for mark in turns if mark.label == symbol), None)

@@ -49,7 +49,7 @@ def picture(problem: Problem, construction: Construction, width: float, height: 
     if loads is None:
         return sized(problem, reduced(figure, marks, width, height))
     plain = sized(problem, reduced(figure, marks, width - ACTS, height))
-    return replace(plain, marks=plain.marks + acting(problem.subject, loads, plain, figure))
+    return replace(plain, marks=plain.marks + acting(problem.subject, loads, plain, (figure, *construction.figures)))
 
 
 def _from_its_end(construction: Construction) -> Figure | None:

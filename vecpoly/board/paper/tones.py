@@ -25,6 +25,7 @@ from .marks import Mark, TurnArrow, Vector
 
 HUES = len(TONES)
 MANY = 2 * HUES
+CLOSE = ((1, 8), (4, 7))  # blue and dark blue, purple and plum
 _MOTION = pattern(r"\b[va][nktr]?_")
 _POINTS = pattern(rf"({LETTER}\d*)({LETTER}\d*)")
 _JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)(?:(_r)|\b)")
@@ -75,8 +76,20 @@ def tones(figures: Iterable[tuple[Mark, ...]], equations: Iterable[tuple[str, ..
         taken = {found[other] for other in beside[one] if other in found}
         if free := [tone for tone in range(1, MANY + 1) if tone not in taken]:
             alike, acting, used = (_used(found, one, test) for test in (_of_a_kind, _of_a_sort, _any))
-            found[one] = min(free, key=lambda tone: (tone > HUES, alike[tone], acting[tone], used[tone], tone))
+            close = _close(taken)
+            found[one] = min(free, key=lambda t: (t > HUES, alike[t], _hue(t) in close, acting[t], used[t], t))
     return FrozenMap(found)
+
+
+def _hue(tone: int) -> int:
+    """Which of the hues it has."""
+    return (tone - 1) % HUES + 1
+
+
+def _close(taken: Iterable[int]) -> set[int]:
+    """The hues that beside these take a second look to be told apart."""
+    here = {_hue(tone) for tone in taken}
+    return {other for pair in CLOSE for one, other in (pair, pair[::-1]) if one in here}
 
 
 def _used(found: Mapping[str, int], one: str, test: Callable[[str, str], bool]) -> Counter[int]:

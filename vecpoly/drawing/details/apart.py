@@ -14,6 +14,7 @@ from ...board.paper.marks import Arc, Dot, Mark, Point, Role, Segment, Vector
 from ...foundation.slotted import replace
 from ...words import Words
 from ..symbols.around import RING
+from ..symbols.shared import shared
 from .knot import Knot
 from .knots import MOST, knots
 from .within import spoken, unlettered, within
@@ -34,9 +35,10 @@ def detailed(figure: Figure, first: int = 1, most: int = MOST) -> tuple[Figure, 
     for knot in found:
         kept = spoken(figure, knot)
         marks = [mark if mark in kept else unlettered(mark, knot) for mark in marks]
-    rings, details = list[Mark](), list[Figure]()
+    rings, details, common = list[Mark](), list[Figure](), shared(figure.view, figure.marks)
+    inked = [replace(mark, key="") if mark in common else mark for mark in figure.marks]  # of no force
     for number, (knot, name) in enumerate(zip(found, names, strict=True), start=1):
-        inner = tuple(part for mark in figure.marks for part in within(mark, knot))
+        inner = tuple(part for mark in inked for part in within(mark, knot))
         rings += _ringed(figure, knot, name, inner)
         details.append(_detail(figure, knot, name, number, inner))
     return (replace(figure, marks=(*marks, *rings)), *details)

@@ -13,6 +13,7 @@ from .want import Thing, Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 0.95, 1.9, 3.0, 4.4)
+OFF, NEAR = 7.0, 2.5  # what a letter of a point costs that stands farther from it than this (mm)
 TIGHT = 2.0  # what the closest of them costs beyond its distance: a digit all but touches a thick bar there
 FAR = (5.5, 6.5, 8.0, 9.5, 11.0, 13.0)
 CROWD = (12.0, 14.2, 15.5, 16.8, 18.0), (20.0, 22.0, 24.5, 27.0, 30.0)
@@ -24,7 +25,10 @@ LETTERED = 12.0  # what it costs beyond that for the letter of a point: first of
 SOONER = 0.4  # of that in a crowd: a leader tells better than a place beside something else
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 SHORT = 0.8  # mm that a leader ends before the lettering
+BENT, STRAIGHT = 14.0, 0.6  # what a leader costs whose cosine to the line that it names is less
+BEHIND, ASLANT = 60.0, 0.2  # what a leader of the frame's number costs that runs over its guide; cosine
 LEVEL, OFF_LEVEL = GAPS[1], 24.0  # where the numbers of an axis stand, and what a mm off that line costs
+SHIFTED = 2.0  # times what other letters pay for the next place along a line pays a number for one beside its tick
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,10 +61,11 @@ def beside(want: Want, middle: complex) -> Spots:
     sides = DIRECTIONS[None] if all_round else normals if want.one_sided else np.hstack([normals, -normals])
     away, reach = feet - middle, np.abs(feet - middle)
     away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
-    base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
+    base = PER_FRACTION * (SHIFTED if want.level else 1.0) * number + 1.0 * (1 - (sides * away.conjugate()).real)
     gap = np.array(GAPS)[:, None]
     near = feet[..., None] + _offset(sides[:, None], want.radius + want.clear + gap, half, all_round)
     by_gap = PER_DISTANCE * gap + TIGHT * (gap == GAPS[0]) + OFF_LEVEL * want.level * np.abs(gap - LEVEL)
+    by_gap += OFF * (want.thing is Thing.POINT) * (gap > NEAR)
     return Spots(
         near.ravel(),
         (base[:, None] + by_gap).ravel(),
@@ -80,8 +85,24 @@ def on_leaders(want: Want, ring: tuple[float, ...] | None = None) -> Spots:
     far = np.array(ring or (FARTHER if want.farther else FAR))[:, None, None]
     led = feet + _offset(DIRECTIONS, want.radius + far, _half(want), True)
     at = np.broadcast_to(feet + DIRECTIONS * (want.radius if _all_round(want) else 0.0), led.shape).ravel()
-    dear = np.broadcast_to(price_of_leader(want) + PER_DISTANCE * far + PER_FRACTION * number, led.shape)
+    if want.one_sided and want.thing is Thing.LINK:
+        at = np.broadcast_to(feet + want.radius * np.array(want.normals[:LED])[:, None], led.shape).ravel()
+    dear = np.broadcast_to(price_of_leader(want) + PER_DISTANCE * far + PER_FRACTION * number + bent(want), led.shape)
     return Spots(led.ravel(), dear.ravel(), at, at)
+
+
+def bent(want: Want) -> Floats:
+    """What leaders in all directions cost that leave the line of a direction sideways: with its end they would be taken
+    for the sign of a right angle; and those of the frame's number that do not come from the side of its hatching."""
+    a, b = want.own
+    if want.one_sided and want.thing is Thing.LINK:
+        behind: Floats = BEHIND * ((DIRECTIONS * np.conj(want.normals[0])).real < ASLANT)
+        return behind
+    if want.thing is not Thing.DIRECTION or a == b:
+        return np.zeros(len(DIRECTIONS))
+    along = np.abs((DIRECTIONS * ((b - a) / abs(b - a)).conjugate()).real)
+    result: Floats = BENT * (along < STRAIGHT)
+    return result
 
 
 def price_of_leader(want: Want) -> float:
@@ -118,9 +139,8 @@ def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
     if far >= len(FARTHER):
         return None
     foot, u = want.feet[number], complex(DIRECTIONS[way])
-    return foot + complex(_offset(u, want.radius + FARTHER[far], half, True)), foot + u * (
-        want.radius if all_round else 0.0
-    )
+    rim = u if all_round else want.normals[number] if want.one_sided and want.thing is Thing.LINK else 0.0
+    return foot + complex(_offset(u, want.radius + FARTHER[far], half, True)), foot + rim * want.radius
 
 
 def _offset(u: Any, distance: Any, half: complex, round_point: bool) -> Any:

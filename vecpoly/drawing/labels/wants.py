@@ -41,7 +41,7 @@ from ..style import (
     THIN,
     Hue,
 )
-from ..symbols.angles import TAIL, narrow
+from ..symbols.angles import TAIL, adjoins, narrow, sweep_of
 from ..symbols.bodies import foot_of
 from ..symbols.shapes import HATCH, NEAR
 from .bows import along, bow
@@ -61,6 +61,8 @@ _RADIUS = {
 # mm along its axis by which a number may stand beside its tick
 ASIDE = (0.0, 1.0, -1.0, 2.0, -2.0, 2.6, -2.6, 3.8, -3.8)
 TICK = 8.0  # mm: a longer line at an axis is no tick, as an ordinate
+ARC_ALONE = 0.8  # mm beside an arc that has no tails
+ABOUT_HEAD = 2.8  # mm about the head of an arrow that turns
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -75,8 +77,8 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
             case LinkNumber(a=a, number=number) if (ground := _ground(mark, marks)) is not None:
                 a, b = foot_of(ground)
                 found.append(along_line(a, b, HATCH, (piece(number, Hue.BLACK, mark.step),), Thing.LINK))
-            case LinkNumber(a=a, b=b, number=number) if any(_is_of(mark, guide) for guide in marks):
-                found.append(under(a, b, HATCH, piece(number, Hue.BLACK, mark.step)))
+            case LinkNumber(number=number) if (guide := _guide(mark, marks)) is not None:
+                found.append(under(guide.a, guide.b, HATCH, piece(number, Hue.BLACK, mark.step)))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else max(keep_at(a, taken), _disc(a, marks))
                 found.append(number_of_link(mark, piece(number, Hue.BLACK, mark.step), marks, keep))
@@ -98,7 +100,9 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones =
 def _angle(mark: AngleMark, marks: tuple[Mark, ...]) -> Want:
     """The symbol of an angle, with its value where that has room."""
     its, (symbol, equals, _) = piece(mark.label, Hue.BLACK, mark.step), mark.label.partition(" = ")
-    want = _outside(mark, its) if narrow(mark) else bow(mark, its, marks, FRACTIONS)
+    others = [one for one in marks if isinstance(one, AngleMark)]
+    tail = ARC_ALONE if adjoins(mark, others) else TAIL
+    want = _outside(mark, its, tail) if narrow(mark) else bow(mark, its, marks, FRACTIONS)
     return replace(want, brief=(piece(symbol, Hue.BLACK, mark.step),)) if equals else want
 
 
@@ -113,12 +117,20 @@ def _note(mark: Note, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Wan
     ends = ((at, side), (over, -side)) if over != at else ((at, side),)
     feet = tuple(end + 1j * side * by for end, _ in ends for by in ASIDE)
     ways = tuple(way for _, way in ends for _ in ASIDE)
-    return Want((piece,), feet, ways, keep, (at, at), one_sided=True, level=True)
+    return Want((piece,), feet, ways, max(keep, RESULT / 2), (at, at), one_sided=True, level=True)
 
 
-def _is_of(number: LinkNumber, guide: Mark) -> bool:
-    """Whether it is the number of this fixed guide: the frame's, where it has no pivot."""
-    return isinstance(guide, FixedGuide) and guide.owner == number.owner and (guide.a, guide.b) == (number.a, number.b)
+def _guide(number: LinkNumber, marks: tuple[Mark, ...]) -> FixedGuide | None:
+    """The fixed guide of which this is the number: the frame's, where it has no pivot. On a sketch it is not reduced
+    with the rest: the nearest of those of its direction."""
+    along = (number.b - number.a).conjugate()
+    found = [
+        mark
+        for mark in marks
+        if isinstance(mark, FixedGuide) and mark.owner == number.owner and abs(number.b - number.a) > NEAR
+        if abs(((mark.b - mark.a) * along).imag) < NEAR * abs(along) * abs(mark.b - mark.a)
+    ]
+    return min(found, key=lambda guide: abs(guide.a + guide.b - number.a - number.b), default=None)
 
 
 def _ground(number: LinkNumber, marks: tuple[Mark, ...]) -> Ground | None:
@@ -133,6 +145,12 @@ def unnamed(marks: tuple[Mark, ...]) -> tuple[Spot, ...]:
     named = {mark.at for mark in points if mark.label}
     silent = {mark.at: _RADIUS[mark.dot] for mark in points if mark.at not in named}
     return tuple((at, radius) for at, radius in silent.items() if all(abs(at - other) > NEAR for other in named))
+
+
+def heads(marks: tuple[Mark, ...]) -> tuple[Spot, ...]:
+    """The heads of arrows that turn, by which a letter could be meant: what is nearer to one than to its own thing."""
+    turning = (mark for mark in marks if isinstance(mark, TurnArrow) and mark.radius > NEAR)
+    return tuple((one.at + cmath.rect(one.radius, one.start + sweep_of(one)), ABOUT_HEAD) for one in turning)
 
 
 def _taken(marks: tuple[Mark, ...]) -> list[Spot]:
@@ -174,9 +192,9 @@ def _vector(mark: Vector, hue: Hue) -> Want:
     return along_line(mark.a, mark.b, RESULT / 2, (piece(mark.label, hue, mark.step),), Thing.VECTOR)
 
 
-def _outside(mark: AngleMark, piece: Piece) -> Want:
+def _outside(mark: AngleMark, piece: Piece, tail: float) -> Want:
     """Beyond the arc of a narrow angle, or beside the ends of its tails."""
-    turn = math.copysign(TAIL / mark.radius, mark.sweep)
+    turn = math.copysign(tail / mark.radius, mark.sweep)
     ways = (mark.start + mark.sweep / 2, mark.start + mark.sweep + turn, mark.start - turn)
     out = tuple(cmath.exp(1j * a) for a in ways)
     normals = (out[0], out[1] * 1j * math.copysign(1, turn), out[2] * -1j * math.copysign(1, turn))

@@ -28,6 +28,7 @@ from ..labels.actions import is_line_of_action
 from ..style import Dash
 from ..symbols.around import RING
 from .bodies import BODIES, CURVES
+from .circles import is_return_circle, of_rack, osculating
 from .entry import HALF, MIDDLE, WIDE, Entry, drawn_as_on
 from .kind import Kind
 from .met import (
@@ -70,7 +71,7 @@ def kinds_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
 def side_by_side(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
     """Where vectors that lie on one line are drawn beside each other."""
     for figure in figures:
-        if beside(figure.view, figure.marks) is not figure.marks:
+        if not figure.view.bodies and beside(figure.view, figure.marks) is not figure.marks:
             pair = tuple(Vector(a=1j * y, b=WIDE + 1j * y, role=Role.RESULT) for y in (ASIDE / 2, -ASIDE / 2))
             words = Words("并排的矢量实际共线", "drawn side by side, in fact collinear")
             yield Entry(drawn_as_on(figure, pair, lang, black=True), words)
@@ -155,8 +156,10 @@ KINDS: tuple[Kind, ...] = (
         sample=line,
     ),
     Kind(words=Words("拐点圆", "inflection circle"), met=on_curvature(Role.GIVEN, Arc), sample=line),
-    Kind(words=Words("曲率圆", "osculating circle"), met=on_curvature(Role.HIDDEN, Arc), sample=line),
-    Kind(words=Words("其余各位置", "other positions"), met=traced(Role.PLACE, Segment), sample=line),
+    Kind(words=Words("回归圆", "return circle"), met=is_return_circle, sample=line),
+    Kind(words=Words("曲率圆", "osculating circle"), met=osculating, sample=line),
+    Kind(words=Words("齿条依次的位置", "successive positions of the rack"), met=of_rack(generating=True), sample=line),
+    Kind(words=Words("其余各位置", "other positions"), met=of_rack(generating=False), sample=line),
     Kind(words=Words("校正平面", "correction plane"), met=in_axial_view, sample=line),
     Kind(words=Words("配重的方位", "position of a counterweight"), met=to_counterweight, sample=line),
     Kind(

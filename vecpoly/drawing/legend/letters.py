@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Mark
+from ...board.paper.marks import Mark, Point, Vector
 from ...foundation.slotted import dataclass
 from ...typeset import layout_words
 from ...words import Lang, Words
@@ -78,7 +78,50 @@ def _seen(name: str) -> Callable[[Figure], bool]:
 
 def is_of_cam(figure: Figure) -> bool:
     """Whether the profile of a cam is drawn on it, by the places of its follower."""
-    return figure.view is View.MECHANISM and not figure.name and {"B_0", "ω"} <= set(_labels(figure))
+    labels = set(_labels(figure)) if figure.view is View.MECHANISM and not figure.name else set[str]()
+    return {"O", "ω"} <= labels and any(re.fullmatch(r"B_0|r_\{\d+\}", label) for label in labels)
+
+
+def _of_flat_arm(figure: Figure) -> bool:
+    return is_of_cam(figure) and {"T_1", "T_2"} <= set(_labels(figure))
+
+
+def _of_flat_face(figure: Figure) -> bool:
+    return is_of_cam(figure) and not _of_flat_arm(figure)
+
+
+def _acted_on(figure: Figure) -> bool:
+    """Whether forces stand on a mechanism or a body."""
+    forces = (mark for mark in figure.marks if isinstance(mark, Vector | Point) and mark.label[:1] in ("R", "F"))
+    return (figure.view is View.MECHANISM or figure.view.bodies) and any(forces)
+
+
+def _pressed(figure: Figure) -> bool:
+    """Whether bodies that press on each other are drawn with the normals of their contact."""
+    return figure.view is View.BODY or _named("released")(figure)
+
+
+def _with_centres(figure: Figure) -> bool:
+    """Whether instant centres are found on a mechanism."""
+    return figure.view is View.MECHANISM and not is_of_curvature(figure)
+
+
+def _projected(figure: Figure) -> bool:
+    """Whether velocities are projected on the lines of springs and dampers."""
+    return figure.view is View.VELOCITY and not figure.name
+
+
+def _of_lever(figure: Figure) -> bool:
+    return figure.view is View.VELOCITY and figure.name == "lever"
+
+
+def _taken_apart(figure: Figure) -> bool:
+    return figure.view is View.MECHANISM and figure.name.startswith(("group ", "left ", "low"))
+
+
+def is_of_gear(figure: Figure) -> bool:
+    """Whether the tooth of a gear is generated on it."""
+    return figure.view is View.MECHANISM and {"r_a", "r_f", "N"} <= set(_labels(figure))
 
 
 LETTERS: tuple[Letter, ...] = (
@@ -87,14 +130,36 @@ LETTERS: tuple[Letter, ...] = (
     Letter(is_of_curvature, r"t", Words("极切线", "pole tangent")),
     Letter(is_of_curvature, r"n", Words("极法线", "pole normal")),
     Letter(is_of_curvature, r"J_\{\w+\}", Words("法线与拐点圆的交点", "on the inflection circle")),
+    Letter(is_of_curvature, r"W\^\{r\}_\{\d\}", Words("回归极", "return pole")),
+    Letter(is_of_curvature, r"[a-d]", Words("平行线作图的辅助点", "help points of parallels")),
     Letter(is_of_curvature, r"O_\{\w+\}", Words("轨迹的曲率中心", "centre of curvature")),
     Letter(is_of_curvature, r"q|Z_\{\w+\}", Words("曲率驻点曲线的直线及其点", "line of the cubic, its points")),
     Letter(is_of_curvature, r"U_\{\d\}", Words("鲍尔点", "Ball's point")),
+    Letter(_with_centres, r"P_\{?\d\d\}?(\^\{∞\})?", Words("速度瞬心", "instant centre")),
+    Letter(_with_centres, r"Q_\{?\d+\}?", Words("瞬心在定平面上的位置", "places of the pole, fixed plane")),
+    Letter(_with_centres, r"Q\^\{′\}_\{?\d+\}?", Words("瞬心在动平面上的位置", "places of the pole, moving plane")),
+    Letter(_acted_on, r"h(_?\{?[\w,′]+\}?)?", Words("力臂", "arm of a force")),
+    Letter(_pressed, r"n(_\{?\d+\}?)?", Words("接触面的法线", "normal of a contact")),
+    Letter(_pressed, r"φ", Words("摩擦角", "angle of friction")),
+    Letter(_pressed, r"F['′]", Words("阻止滑动的力", "force that prevents sliding")),
+    Letter(_projected, r"[a-z]_\{[a-z]′?\}", Words("$v$ 在力作用线上的投影", "$v$ projected on a force")),
+    Letter(_of_lever, r"d_\{[a-z]′?\}", Words("力到 $p$ 的距离", "arm of a force about $p$")),
+    Letter(_taken_apart, r"O_\{?\d+\}?", Words("接触处的曲率中心", "centre of curvature at a contact")),
+    Letter(is_of_gear, r"P", Words("节点", "pitch point")),
+    Letter(is_of_gear, r"N", Words("啮合极限点", "limit of contact")),
+    Letter(is_of_gear, r"E|F", Words("节线上的齿槽宽", "space width on the rolling line")),
+    Letter(is_of_gear, r"S", Words("过渡曲线与渐开线的交点", "fillet meets involute")),
+    Letter(is_of_gear, r"K", Words("齿顶的啮合点", "contact at the tip")),
+    Letter(_seen("torque"), r"[a-c]", Words("两力矩相等处", "both moments are equal")),
     Letter(_seen("torque"), r"S_\d", Words("力矩线下的面积", "area under the moments")),
     Letter(_motion, r"m_1", Words("推程压力角最大处", "maximum $α$ of the rise")),
     Letter(_motion, r"m_2", Words("回程压力角最大处", "maximum $α$ of the return")),
     Letter(_motion, r"m_3", Words("曲率半径最小处", "minimum radius of curvature")),
     Letter(is_of_cam, r"r_\{(\d+)\}", Words("$φ$ = {}° 处的向径", "radius at $φ$ = {}°")),
+    Letter(_of_flat_face, r"P_[12]", Words("推程、回程中离 $O$ 最远的瞬心", "farthest instant centre, rise, return")),
+    Letter(_of_flat_arm, r"[AT]_[12](\^′)?", Words("离垂足最近、最远的切点", "nearest, farthest contact")),
+    Letter(is_of_cam, r"C_0", Words("起始导路的垂足", "foot of the first guide")),
+    Letter(is_of_cam, r"B_0", Words("推程起始点", "start of the rise")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"P", Words("相对瞬心", "relative instant centre")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"n", Words("公法线", "common normal")),
     Letter(_named("rho_min"), r"K", Words("曲率中心", "centre of curvature")),

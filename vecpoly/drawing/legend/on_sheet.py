@@ -26,10 +26,10 @@ ROWS = 4  # of a band on a page: what is higher is a block
 
 
 def with_legend(sheet: Sheet) -> Sheet:
-    """The sheet with what its lines and symbols stand for: on a band; else on one without what is plain; else on these
-    with the figures laid out anew, closer together; else with the figures as close as they may stand; else, with both,
-    on a block; else parted on two blocks or three, of the inks of vectors and of the rest where they have room so; else
-    as much of it as has room; as it is where all is plain, or nothing has room."""
+    """The sheet with what its lines and symbols stand for: on a band; else with the figures laid out anew, closer
+    together; else on one without what is plain, in either way; else with the figures as close as they may stand;
+    else, with both, on a block; else parted on two blocks or three, of the inks of vectors and of the rest where
+    they have room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
     sets = _sets(sheet)
     if sheet.plate:
         return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
@@ -88,8 +88,8 @@ def _sets(sheet: Sheet) -> list[list[Cell]]:
 def _banded(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Iterator[tuple[Sheet, Grid]]:
     """The sheet with a band, in every way in which it has room for one, the best first."""
     grids = [band(some, sheet.lang, sheet.room[0]) for some in sets]
-    for way in (_over_strip, _laid_anew):
-        yield from ((made, grid) for grid in grids if (made := way(sheet, grid)) is not None)
+    ways = ((way, grid) for grid in grids for way in (_over_strip, _laid_anew))
+    yield from ((made, grid) for way, grid in ways if (made := way(sheet, grid)) is not None)
 
 
 def _with_blocks(sheet: Sheet, sets: Sequence[Sequence[Cell]], inks: int) -> Sheet:

@@ -82,7 +82,7 @@ def _rank(found: tuple[Cost, list[Page[F]]]) -> tuple[Cost, float]:
 def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:
     """With the titles of figures side by side on one line, unless the figures would be lost on the page then;
     still: what else stands there."""
-    boxes, lines = _standing(figures, layout)
+    boxes, lines = standing(figures, layout)
     falls = sunk(boxes, lines, still, min(TIGHT, max(layout.white, 0.0)))
     made = replace(layout, corners=tuple(at - 1j * by for at, by in zip(layout.corners, falls, strict=True)))
     return made if covered(figures, made) >= min(WELL, covered(figures, layout)) else layout
@@ -90,17 +90,17 @@ def lined(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) 
 
 def even(figures: Sequence[Drawn], layout: Layout, still: Sequence[Rect] = ()) -> Layout:
     """With as much white to the frame as between the figures, where they can be drawn together."""
-    moves = evened(*_standing(figures, layout), layout.page, still)
+    moves = evened(*standing(figures, layout), layout.page, still)
     return replace(layout, corners=tuple(at + by for at, by in zip(layout.corners, moves, strict=True)))
 
 
 def read_on(figures: Sequence[Drawn], layout: Layout) -> bool:
     """Whether no figure stands over the one before it."""
-    boxes, _ = _standing(figures, layout)
+    boxes, _ = standing(figures, layout)
     return all(other.y0 < one.y1 for one, other in pairwise(boxes))
 
 
-def _standing(figures: Sequence[Drawn], layout: Layout) -> tuple[list[Rect], list[float]]:
+def standing(figures: Sequence[Drawn], layout: Layout) -> tuple[list[Rect], list[float]]:
     """The rectangle that each figure takes on its page, and on which height its title stands."""
     boxes = [
         Rect(at.real, at.imag, at.real + one.size[0], at.imag + one.size[1])

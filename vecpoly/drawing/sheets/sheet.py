@@ -19,6 +19,7 @@ from .boxes.redbox import BAND, red_box
 from .boxes.titleblock import Strip, furniture
 from .detailing import arrangements, drawn
 from .expected import Expected, dear, further, trials
+from .lifting import lifted
 from .packing import Layout
 from .pages import Page, fullness
 from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
@@ -139,7 +140,8 @@ def sheets(
         pages = [*on_plates(pages, bands)]
     if plates and not bands and construction.warning is None:
         pages = [*enlarged(pages, lang, construction)]
-    return _numbered([(group, even(group, lined(group, layout))) for group, layout in pages], construction, lang, title)
+    laid = [(group, even(group, lined(group, layout))) for group, layout in pages]
+    return _numbered([(lifted(*page), page[1]) for page in laid], construction, lang, title)
 
 
 def _pages(figures: Sequence[Figure], lang: Lang, on: Paper, boxed: bool) -> list[Page[Drawn]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 
 from ...board.paper.marks import TURN, AngleMark, RightAngle, TurnArrow
 from ..scene import Fill, Item, Layer, Stroke
@@ -16,6 +17,7 @@ Arc = AngleMark | TurnArrow
 HEAD, PART = 2.4, 0.36  # mm: arrowheads of an arc; but no longer than this part of it
 STEEPEST = 0.32  # rad: of an arc that its head takes
 BROAD = 3.2  # times as long as half as wide is such a head
+SAME_RAY = 1e-3  # rad
 NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: a shorter arc is pointed at from outside, with tails and heads so long
 
 
@@ -44,13 +46,14 @@ def draw_turn(mark: TurnArrow, hue: Hue) -> tuple[Item, ...]:
     return (Stroke(points=bow, width=SYMBOL, hue=hue, step=mark.step), Fill(points=tip, hue=hue, step=mark.step))
 
 
-def draw_angle(mark: AngleMark) -> tuple[Item, ...]:
-    """The arc of an angle, with arrowheads where there is room for them; no slot or block hides it."""
+def draw_angle(mark: AngleMark, others: Sequence[AngleMark] = ()) -> tuple[Item, ...]:
+    """The arc of an angle, with arrowheads where there is room for them, between others that end at its rays none if it
+    is narrow; no slot or block hides it."""
     bow = Stroke(
         points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.OVER, step=mark.step
     )
     if narrow(mark):
-        return (bow, *_pointed_at(mark))
+        return (bow,) if adjoins(mark, others) else (bow, *_pointed_at(mark))
     if (long := mark.radius * abs(mark.sweep)) < NARROW:
         return (bow,)
     turn, head = math.copysign(1.0, mark.sweep), min(HEAD, PART * long)
@@ -59,6 +62,19 @@ def draw_angle(mark: AngleMark) -> tuple[Item, ...]:
         curved_head(mark.at, mark.radius, mark.start, -turn, head),
     )
     return (bow, *(Fill(points=tip, layer=Layer.HEAD, step=mark.step) for tip in tips))
+
+
+def adjoins(mark: AngleMark, others: Sequence[AngleMark]) -> bool:
+    """Whether a narrow angle is one of several side by side, which have arcs alone."""
+    return any(_adjoin(mark, one) for one in others)
+
+
+def _adjoin(mark: AngleMark, other: AngleMark) -> bool:
+    """Whether a narrow angle ends where another begins, so that arrowheads of both would lie on each other."""
+    if mark is other or abs(mark.at - other.at) > NEAR or abs(mark.radius - other.radius) > TAIL or not narrow(other):
+        return False
+    rays = ((a, b) for a in (mark.start, mark.start + mark.sweep) for b in (other.start, other.start + other.sweep))
+    return any(abs(cmath.phase(cmath.rect(1.0, a - b))) < SAME_RAY for a, b in rays)
 
 
 def narrow(mark: AngleMark) -> bool:

@@ -5,7 +5,20 @@ from __future__ import annotations
 from itertools import pairwise
 
 from ...board.construction import View
-from ...board.paper.marks import Block, Disc, Dot, FrictionCircle, Ground, Mark, Point, Role, Segment, Slot, Vector
+from ...board.paper.marks import (
+    AngleMark,
+    Block,
+    Disc,
+    Dot,
+    FrictionCircle,
+    Ground,
+    Mark,
+    Point,
+    Role,
+    Segment,
+    Slot,
+    Vector,
+)  # fmt: skip
 from ...board.paper.walls import holds, leaves
 from ...foundation.slotted import dataclass
 from ...words import Lang
@@ -14,6 +27,7 @@ from ..scene import Layer
 from ..style import JOINT_RADIUS, LINK, POLE_RADIUS
 from .outlines import outlines
 from .shapes import NEAR
+from .shared import shared
 
 CENTRED = 6.0  # mm: a circle with a larger radius has its centre marked
 RING = "detail"  # whose the ring about a detail is: it shows a place, and has no centre to be marked
@@ -35,6 +49,8 @@ class Surroundings:
     tones: Tones = None
     spots: frozenset[complex] = frozenset()  # where points and pivots stand
     links: tuple[tuple[complex, complex], ...] = ()  # the lines of links
+    angles: tuple[AngleMark, ...] = ()
+    common: frozenset[Segment] = frozenset()  # lines of action on which several forces lie
 
     @classmethod
     def of(cls, view: View, marks: tuple[Mark, ...], lang: Lang = "zh", tones: Tones = None) -> Surroundings:
@@ -48,6 +64,8 @@ class Surroundings:
             circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
             discs=tuple(m for m in marks if isinstance(m, Disc)),
             links=() if view.images else tuple(outlines(marks)),
+            angles=tuple(m for m in marks if isinstance(m, AngleMark)),
+            common=shared(view, marks),
             tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5),
             spots=frozenset(
                 m.at for m in marks if isinstance(m, Ground | Point) and getattr(m, "dot", "") is not Dot.NONE

@@ -72,7 +72,7 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
         case TurnArrow():
             return draw_turn(mark, mark_hue(mark, around.view, mark.label, around.tones))
         case AngleMark():
-            return draw_angle(mark)
+            return draw_angle(mark, around.angles)
         case LinkNumber() | Note():
             return ()
     assert_never(mark)
@@ -123,7 +123,7 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             hue = curve_hue(role, around.tones) if role in CENTRODES else image_hue(around.view, around.tones)
             p = pen(role, hue)
             layer = Layer.THIN if p.width <= THIN else around.link_layer(mark.owner, a, b)
-            hue = line_hue(mark.key, around.tones, p.hue)
+            hue = p.hue if mark in around.common else line_hue(mark.key, around.tones, p.hue)
             cut = role is Role.RESULT and bool(mark.key) and around.view.is_polygon  # a vector that a ring cuts off
             width = FOUND if cut else p.width
             line = Stroke(points=(a, b), width=width, dash=p.dash, hue=hue, layer=layer, step=mark.step)

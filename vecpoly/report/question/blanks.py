@@ -10,7 +10,8 @@ from ...board.construction import Reading
 from ...designs.inversion.positions import MANY, Positions
 from ...errors import UnknownNameError
 from ...mechanism.model import Mechanism
-from ...names import Kind, Named, Rel, parse_rel
+from ...names import Kind, Named, Rel, parse_rel, written_unit
+from ...printed.units import printed_unit
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import MM
 from ...words import Lang, Words
@@ -20,10 +21,10 @@ from ..statement.asked import in_order, of_machines
 from ..statement.further import IF_ANY, further
 from ..statement.meant import meant_by
 from ..values import called
-from .columns import HEADS, NONE, WITH_UNIT, Cells, headed, in_columns
+from .columns import HEADS, WITH_UNIT, Cells, headed, in_columns
 from .found import as_found
 from .framed.readings import AWAY
-from .ruled import RuledTable
+from .ruled import NONE, RuledTable
 
 _YES_OR_NO = Words("（是/否）", " (yes or no)")
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
@@ -95,14 +96,21 @@ def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterato
 
 
 def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
-    """Dashes for what it has not: a scalar points nowhere, what is computed is not read."""
+    """Its unit; dashes for what it has not: a scalar points nowhere, what is computed is not read, and a direction that
+    is asked by its angle stands there."""
     symbol, key = one.reading.symbol.replace(AWAY, ""), one.reading.key
     meant = meant_by(solution.problem.subject, key, f"${symbol}$") if one.reading.unit != YES_NO else None
     name = _named(one, symbol, solution, lang) if meant is None else meant.of(lang)
     name += _YES_OR_NO.of(lang) * (one.reading.unit == YES_NO)
-    paper, way = ("" if has(one) else NONE for has in (_measured, _points))
-    unit = NONE if one.is_place or one.reading.unit in ("", YES_NO) else ""
+    paper = "" if _measured(one) else NONE
+    way = "" if _points(one) and f"theta_{key.partition('_')[2]}" not in solution.answers else NONE
+    unit = NONE if one.is_place else _unit(one.reading.unit)
     return name, paper, _PLACE.of(lang) if one.is_place else "", unit, way
+
+
+def _unit(unit: str) -> str:
+    """The unit in which a value is written, which is printed; none of a number, or of yes and no."""
+    return written_unit(printed_unit(unit)[1]) or NONE
 
 
 def _named(one: Answer, symbol: str, solution: Solution, lang: Lang) -> str:
@@ -122,7 +130,7 @@ def _is_length(one: Reading) -> bool:
 
 
 def _none(one: Reading, lang: Lang) -> Cells:
-    return called(one.symbol, one.key, lang), "" if _is_length(one) else NONE, "", "" if one.unit else NONE, NONE
+    return called(one.symbol, one.key, lang), "" if _is_length(one) else NONE, "", _unit(one.unit), NONE
 
 
 def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
@@ -133,7 +141,7 @@ def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
     if found:
         yield headed(_ON_THE_WAY.of(lang))
     for rel in sorted(found, key=_by_kind):
-        yield (f"${rel.symbol}$", "" if rel.is_vector else NONE, "", "", "")
+        yield (f"${rel.symbol}$", "" if rel.is_vector else NONE, "", _unit(rel.unit), "")
 
 
 def _by_kind(rel: Rel) -> tuple[int, str]:

@@ -11,7 +11,7 @@ from ...words import Lang, Words
 from ..flow.furniture import COLUMN
 from ..flow.style import CELL
 from ..flow.table import PAD
-from .ruled import RuledTable
+from .ruled import NONE, RuledTable
 
 HEADS = (
     Words("所求量", "Quantity"),
@@ -21,7 +21,6 @@ HEADS = (
     Words("方向（转向）", "Direction, sense"),
 )
 WITH_UNIT = Words("数值与单位", "Value with unit")  # in one cell
-NONE = "—"
 Cells = tuple[str, str, str, str, str]
 _WIDTHS = (30.0, 32.0, 34.0, 22.0, 40.0)  # mm: the first at least
 _LEAST = (30.0, 26.0, 28.0, 16.0, 30.0)  # mm: where names are long

@@ -13,22 +13,18 @@ from ...foundation.slotted import replace
 from ...solution import Solution
 from ...words import Lang, Words
 from ..content import Objects
-from ..flow.base import Block
 from ..flow.blocks import Drawing, Heading
-from ..flow.para import Para
-from ..flow.style import NOTE
 from ..plates.sketch import sketch_of
 from .blanks import empty_table, working_room
-from .columns import NONE
 from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
 from .framed.known import begun, enlarged, is_circle
+from .lined import lined
 from .working import working
 
 WORKING = Words("计算过程", "Working")
 _READ, _FOUND = Words("量取结果", "Readings"), Words("结果", "Results")
-_DASHES = Words("“—”处不填。", "— : leave blank.")
 
 
 def _starts(figure: Figure) -> bool:
@@ -51,17 +47,16 @@ def _circles(solution: Solution, blank: Sequence[Figure], lang: Lang) -> Iterato
 
 def question(solution: Solution, sheets: Construction, lang: Lang, objects: Objects) -> dict[str, Any]:
     """Names of the rows for vector equations, of circle diagrams without a frame, and of the squares with the table of
-    results at their foot; whether a polygon is drawn from a pole that is printed in its frame (sheets), or from a point
-    that is; whether a diagram has axes, and whether anything that is given stands in a frame.
+    results at their foot, and lines for what is answered in words; whether a polygon is drawn from a pole that
+    is printed in its frame (sheets), or from a point that is; whether a diagram has axes, and whether anything
+    that is given stands in a frame.
 
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
     figures, blank = solution.construction.figures, sheets.figures
     title = _READ if all(one.reading.mm is not None for one in solution.answers.values()) else _FOUND
     table = empty_table(solution, lang)
-    foot: list[Block] = [Heading(title.of(lang), 3, lang), table]
-    if any(NONE in row for row in table.rows):
-        foot.append(Para(_DASHES.of(lang), NOTE, lang))
+    foot = [Heading(title.of(lang), 3, lang), table, *lined(solution.problem.statement, lang)]
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],

@@ -16,6 +16,7 @@ from ...words import Lang, Words
 from ..flow.base import Block
 from ..flow.style import CELL, GREY, PALE
 from .kinds import kinds
+from .ruled import FAINT
 
 _CAPTIONS = (
     Words("方程", "Equation"),
@@ -25,7 +26,6 @@ _CAPTIONS = (
 )
 _ROWS = len(_CAPTIONS)
 _ROW, _TITLE = 8.0 * MM, 6.5 * MM
-_FAINT = (0.95, 0.95, 0.95)  # where nothing is written
 _BASE = (_ROW - CELL.size) / 2 + 1.5  # of type in a row
 CELLS, SUMMED = 7, 5  # of an equation of motion, and of a sum of forces, unless one has more terms than that
 _SIGN = 5.0 * MM  # width of the column for the sign behind a term
@@ -68,27 +68,28 @@ class EquationRows(Block):
         return max(layout_words(words.of(self._lang), CELL.em).width for words in _CAPTIONS) * MM + 4.0 * MM
 
     def _cells(self, start: float) -> None:
-        """A frame with full lines, pale ones about each term; a sign has the row of the equation alone."""
+        """A closed frame with full lines, pale ones between the terms; a sign between two of them has the row of the
+        equation alone."""
         self.colour(PALE)
         self.canv.setLineWidth(0.4)
         wide, top = self.term, _ROWS * _ROW
-        for n in range(self.cells):
-            end = start + (n + 1) * (wide + _SIGN)
+        self.canv.setFillColorRGB(*FAINT)
+        for n in range(1, self.cells):
+            end = start + n * (wide + _SIGN)
             self.canv.line(end - _SIGN, 0.0, end - _SIGN, top)
-            if n < self.cells - 1:
-                self.canv.line(end, 0.0, end, top)
-            self.canv.setFillColorRGB(*_FAINT)
+            self.canv.line(end, 0.0, end, top)
             self.canv.rect(end - _SIGN, 0.0, _SIGN, top - _ROW, stroke=0, fill=1)
         self.colour(GREY)
         for row in range(_ROWS + 1):
             self.canv.setLineWidth(0.9 if row in (0, _ROWS) else 0.4)
             self.canv.line(0.0, row * _ROW, self.width, row * _ROW)
-        self.canv.line(start, 0.0, start, _ROWS * _ROW)
+        for edge in (0.0, start, self.width):
+            self.canv.line(edge, 0.0, edge, top)
 
     @property
     def term(self) -> float:
         """How wide the cell of a term is."""
-        return (self.width - self._start) / self.cells - _SIGN
+        return (self.width - self._start + _SIGN) / self.cells - _SIGN
 
 
 def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:

@@ -17,6 +17,7 @@ from ..flow.text.breaks import Line
 ROW, NAME = 8.0 * MM, 6.5 * MM  # least height of a row to be written in, and of one that names a group
 _BOLD = {Face.BOLD, Face.BOLD_ITALIC, Face.HEI, Face.HEI_BOLD}
 _FINE = 0.4  # pt
+NONE, FAINT = "—", (0.95, 0.95, 0.95)  # of a cell in which nothing is written, and how it is shaded
 
 
 class RuledTable(DataTable):
@@ -27,7 +28,8 @@ class RuledTable(DataTable):
         return max(super()._height(row), NAME if is_name(_cells(row)) else ROW)
 
     def _lines(self, row: Sequence[Sequence[Cell]], widths: Sequence[float]) -> tuple[tuple[Line, ...], ...]:
-        """The name of a group runs on over the empty cells behind it."""
+        """The name of a group runs on over the empty cells behind it; a cell that stays blank has no text."""
+        row = [() if _is_blank(some) else some for some in row]
         if not is_name([cell for some in row for cell in some]):
             return super()._lines(row, widths)
         return super()._lines(row, joined(row, widths))
@@ -41,17 +43,31 @@ class RuledTable(DataTable):
         return super()._row(ink, row, wide, left, top, align, shifts, header)
 
     def draw(self) -> None:
-        """The table, and the lines between its cells."""
-        super().draw()
+        """The table, and the lines between its cells; those that stay blank are shaded."""
         found = self.set_in(self.width)
         edges = [*accumulate(found.widths, initial=0.0)]
         left = (self.width - edges[-1] * MM) / 2
         bottoms = [self.height - found.top - below for below in accumulate(found.heights)]
+        rows = [*zip(self.rows, bottoms, found.heights, strict=True)]
+        places = [left + edge * MM for edge in edges]
+        self.canv.saveState()
+        self.canv.setFillColorRGB(*FAINT)
+        with artifact(self.canv):
+            for texts, bottom, high in rows:
+                self._shades(texts, places, bottom, high)
+        self.canv.restoreState()
+        super().draw()
         self.colour(GREY)
         self.canv.setLineWidth(_FINE)
         with artifact(self.canv):
-            for texts, bottom, high in zip(self.rows, bottoms, found.heights, strict=True):
-                self._rules(texts, [left + edge * MM for edge in edges], bottom, high)
+            for texts, bottom, high in rows:
+                self._rules(texts, places, bottom, high)
+
+    def _shades(self, texts: Sequence[str], edges: Sequence[float], bottom: float, high: float) -> None:
+        """The cells of a row in which nothing is to be written."""
+        for text, start, end in zip(texts, edges, edges[1:], strict=False):
+            if text == NONE:
+                self.canv.rect(start, bottom, end - start, high, stroke=0, fill=1)
 
     def _rules(self, texts: Sequence[str], edges: Sequence[float], bottom: float, high: float) -> None:
         """The line under a row, and those between its cells."""
@@ -66,6 +82,11 @@ def joined(row: Sequence[Sequence[object]], widths: Sequence[float]) -> tuple[fl
     starts = [n for n, some in enumerate(row) if some]
     ends = dict(zip(starts, [*starts[1:], len(row)], strict=True))
     return tuple(sum(widths[n : ends.get(n, n)]) for n in range(len(row)))
+
+
+def _is_blank(cells: Sequence[Cell]) -> bool:
+    """Whether it says that nothing is to be written there."""
+    return [item.text for cell in cells for item in cell.box.items if isinstance(item, Glyphs)] == [NONE]
 
 
 def _cells(row: Sequence[Sequence[Line]]) -> list[Cell]:

@@ -56,4 +56,5 @@ def _has_dashes(solution: Solution) -> bool:
 
 def _has_doubled(solution: Solution) -> bool:
     """Whether vectors that lie on one line are drawn side by side."""
-    return any(drawn_apart(figure.view, figure.marks) is not figure.marks for figure in solution.construction.figures)
+    polygons = (figure for figure in solution.construction.figures if not figure.view.bodies)
+    return any(drawn_apart(figure.view, figure.marks) is not figure.marks for figure in polygons)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import degrees
 
 import numpy as np
@@ -21,8 +22,7 @@ from .scales import ANGULAR, DISPLACEMENT
 from .words.motion import how_drawn, shocks
 
 BEYOND, TICK = 8.0, 8.0  # mm: the axes run on; marks under the ends of pieces
-CROWDED = 20  # stations on the axis: of more only every other is numbered
-
+ROOM, DIGITS = 8.0, 5.4  # mm from station to station for all to be numbered; that their numbers take below the axis
 
 BELOW = -1j  # numbers of an axis stand under it, on one line
 
@@ -71,8 +71,7 @@ def displacement(bench: Bench, cam: Cam) -> tuple[Station, ...]:
         Station(number=n, phi=phi, piece=piece, lift=lift(board, place, piece, phi, letters=f"{n} {n}′"))
         for n, (phi, piece) in enumerate(cam.places)
     )
-    for station in found[:: 1 if len(found) <= CROWDED else 2]:
-        board.note(place, station.lift.foot, Words.same(f"{station.number}"), BELOW)
+    _numbers(bench, place, cam, found)
     _curve(bench, place, cam, found)
     board.remark(shocks(board, place, cam))
     _read(bench, place, cam, found)
@@ -85,10 +84,21 @@ def _axes(bench: Bench, place: View, cam: Cam, symbol: str) -> None:
     for end, letter in ((turn + BEYOND + 0j, "φ"), (1j * (high + BEYOND), symbol)):
         board.arrow(place, 0j, end, Role.DIRECTION)
         board.plot(place, end, letter, Dot.NONE)
-    for piece in cam.pieces:
-        at = piece.end / scale.right.value
-        board.join(place, at + 0j, at - TICK * 1j, Role.CONSTRUCTION)
-        board.note(place, at - TICK * 1j, Words.same(f"{number(degrees(piece.end))}°"), BELOW)
+
+
+def _numbers(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
+    """Under each station its number, of stations close together every other one; under that the angles at which pieces
+    end, at marks that leave the numbers free."""
+    board, mm = bench.board, bench.board.scale_of(place).right.value
+    gap = min(b.phi - a.phi for a, b in pairwise(found)) / mm
+    shown = found[:: 1 if gap >= ROOM else 2]
+    for station in shown:
+        board.note(place, station.lift.foot, Words.same(f"{station.number}"), BELOW)
+    names = {station.name for station in shown}
+    for end in (piece.end for piece in cam.pieces):
+        at, numbered = end / mm, round(degrees(end), 6) in names
+        board.join(place, at - DIGITS * 1j * numbered, at - TICK * 1j, Role.CONSTRUCTION)
+        board.note(place, at - TICK * 1j, Words.same(f"{number(degrees(end))}°"), BELOW)
 
 
 def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import sqrt
 
 from ....board.board import Board
 from ....board.construction import View
@@ -13,21 +12,20 @@ from ....devices.cams.asked import PSI0, S0, pressure, radius
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
 from ....diagram.cams.plate import arm, cam_pivot, face_arm, stem
-from ....plane import Points, nominal, unit
+from ....plane import Points, unit
 from ....words import Words
 from ..bench import Bench, trial_board
 from .diagram import Station, place_of
 from .laws import lift
+from .numbered import beyond_faces, beyond_pivots, beyond_rollers, on_profile
 from .pose import Pose, pose
 from .read.readings import acute, length, noted
 from .read.stations import stations_read
 from .words.inversion import enveloped, opening, turning
 
 VIEW = View.MECHANISM
-CROWDED = 24  # stations: of more only every other is numbered
 CLEAR = 14.0  # mm: of guides through the pivot, for its letter and the arrow of ω
 SHOWN = 4  # the station of which the radius of the profile is drawn
-BEYOND = 1.5  # mm: of the line of a guide, beyond the circles of the roller
 FACE = 0.6  # of r0: how far a flat face is drawn to either side
 
 
@@ -119,24 +117,22 @@ def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
         board.join(VIEW, it.b - half, it.b + half, Role.CONSTRUCTION)
     else:
         board.locate(VIEW, f"B_{station.number}", it.b)
-    numbered = len(cam.places) <= CROWDED or station.number % 2 == 0
-    number = f"{station.number}" if numbered and (station.number or cam.follower.flat) else ""  # 0 is B_0
-    if cam.arm and station.number:  # beside its pivot there is more room than on the pitch curve
-        board.plot(VIEW, it.start, number, Dot.NONE)
-    board.plot(VIEW, it.b, "" if cam.arm or cam.follower.roller else number, Dot.POINT)
+    board.plot(VIEW, it.b, "", Dot.POINT)
 
 
-def _number(board: Board, cuts: Sequence[Cut], r: float) -> None:
-    """The stations of a roller on a guide, each beyond all circles of the roller, at the end of its guide."""
-    centres = [complex(nominal(cut.pose.b)) for cut in cuts]
-    for cut in cuts:
-        if (number := cut.station.number) and (len(cuts) <= CROWDED or number % 2 == 0):
-            b, way = cut.pose.b, cut.pose.way
-            at, u = complex(nominal(b)), complex(nominal(way))
-            seen = ((centre - at) * u.conjugate() for centre in centres)
-            far = max(z.real + sqrt(r**2 - z.imag**2) for z in seen if abs(z.imag) < r) + BEYOND
-            board.join(VIEW, b, b + far * way, Role.CONSTRUCTION)
-            board.plot(VIEW, b + far * way, f"{number}", Dot.NONE)
+def _number(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
+    """The stations, each outside the cam."""
+    board, mm = bench.board, bench.board.scale_of(VIEW).value
+    posed = [(cut.station, cut.pose) for cut in cuts]
+    if cam.arm:
+        beyond_pivots(board, posed, flat=cam.follower.flat)
+    elif cam.follower.flat:
+        assert cam.r0
+        beyond_faces(board, posed, FACE * cam.r0.si / mm)
+    elif cam.follower.roller:
+        beyond_rollers(board, posed, cam.follower.radius / mm)
+    else:
+        on_profile(board, posed)
 
 
 def _along_face(cam: Cam, it: Pose, mm: float) -> Points:
@@ -162,8 +158,7 @@ def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     for cut in cuts:
         if cam.follower.roller:
             board.circle(VIEW, cut.pose.b, cam.follower.radius / mm, Role.CONSTRUCTION)
-    if cam.follower.roller and not cam.arm:
-        _number(board, cuts, cam.follower.radius / mm)
+    _number(bench, cam, cuts)
     if cam.follower.roller or cam.follower.flat:
         for through in _along(bench, cam, cuts, pitch=False):
             board.curve(VIEW, through, Role.LINK)

@@ -40,8 +40,14 @@ def position_crank(desk: Desk, drive: Drive) -> None:
         base = desk.place(drive.link, link.points[name])
         desk.letter(name, ahead(base, along, board.hand.carry(0.0)))
     desk.settle_rest(drive.link)
-    if others and not desk.thought and abs(swept(drive.position)) > SEEN:
+    if (others or _is_bar(desk, drive)) and not desk.thought and abs(swept(drive.position)) > SEEN:
         _angle(desk, pivot, drive, max((abs(desk.mm(abs(link.points[p] - local))) for p in others), default=40.0))
+
+
+def _is_bar(desk: Desk, drive: Drive) -> bool:
+    """Whether a link without a further point is a guide bar through its pivot, which stands at φ."""
+    guides = (j for j in desk.mech.joints if isinstance(j, Prismatic) and j.guide == drive.link)
+    return any(abs(math.sin(j.direction)) < SEEN and not j.offset for j in guides)
 
 
 def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:

@@ -56,7 +56,7 @@ def framed(figure: Figure, size: tuple[float, float], known: Sequence[Mark]) -> 
     if figure.view is INDICATOR:
         return _levels(figure, size)
     start = begins_at(figure)
-    if start is None:
+    if start is None or (known and figure.view is View.BODY):
         return _middled(figure, known, size), tuple(known)
     if start.dot is Dot.POLE and figure.view is not HODOGRAPH:
         return _in_the_middle(figure, start, size)
@@ -120,7 +120,7 @@ def _given(figure: Figure, known: Sequence[Mark], box: Box) -> Iterator[Mark]:
     pivots = [mark.at for mark in known if isinstance(mark, Ground)]
     yield from (mark for mark in figure.marks if isinstance(mark, RackMark) and mark.fixed)
     for mark in figure.marks:
-        if isinstance(mark, Point) and mark.dot is not Dot.NONE and mark.at in pivots:
+        if isinstance(mark, Point) and mark.dot is not Dot.NONE and mark.at in pivots and mark not in known:
             yield replace(mark, label=_own(mark.label))
     for mark in known:
         if isinstance(mark, FixedGuide) and mark.about is not None:

@@ -25,6 +25,7 @@ from .known import begins_at, enlarged, is_circle, lettered, stands
 from .origin import origin
 from .readings import Form
 from .room import outline
+from .shapes import completed
 
 WHITES = (8.0, 6.5, 5.0)  # mm that stay free between a figure and its frame: less where that spares a sheet
 BORDER = 4  # marks that are the frame itself
@@ -32,7 +33,7 @@ NEXT = 2.5  # mm that stay free between a figure and a line to write on
 MOST = 6  # frames on a sheet
 _WRITTEN = (
     *((white, Form.WHOLE) for white in WHITES[:1]),
-    *((white, form) for form in (Form.SHORT, Form.BARE) for white in WHITES),
+    *((white, form) for form in (Form.SHORT, Form.NONE) for white in WHITES),
 )  # with how much white, and in which form what is read
 _FREE, _LEAST, _NEAR = (
     0.0,
@@ -51,7 +52,10 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     that would need a sheet more: it stands in the text.
     """
     on = problem.paper
-    figures = tuple(enlarged(lettered(one, construction.figure(View.MECHANISM))) for one in construction.figures)
+    main = construction.figure(View.MECHANISM)
+    figures = [completed(enlarged(lettered(one, main)), problem) for one in construction.figures]
+    known = {(one.view, one.name): stands(construction, one, problem) for one in figures}
+    figures = [one for one in figures if known[one.view, one.name] != one.marks]  # there is nothing to be drawn
     asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
     told, found = _with_fields(asked, [fields(construction, figure) for figure in asked], on)
     less = [figure for figure in asked if not is_circle(figure)]
@@ -60,17 +64,12 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
         asked, (told, found) = (less, fewer) if len(fewer[1]) < len(found) else (asked, (told, found))
     sizes = [size for sheet in found for size in sheet.sizes]
     drawn = tuple(
-        _frame(figure, size, () if _measured(figure, some) else stands(construction, figure, problem), some)
+        _frame(figure, size, known[figure.view, figure.name], some)
         for figure, size, some in zip(asked, sizes, told, strict=True)
     )
     return replace(construction, figures=drawn, hand=TO_BE_DRAWN), tuple(
         Hung(sheet.landscape, sheet.tops) for sheet in found
     )
-
-
-def _measured(figure: Figure, told: Fields) -> bool:
-    """Whether a free body is there to be measured: its outline would tell what is read off it."""
-    return figure.view is View.BODY and told.read is not None
 
 
 def as_solved(figures: Sequence[Figure]) -> list[Figure]:
@@ -94,9 +93,8 @@ def _with_fields(asked: Sequence[Figure], told: Sequence[Fields], on: Paper) -> 
 def _as_told(
     asked: Sequence[Figure], told: Sequence[Fields], on: Paper, near: float
 ) -> tuple[Sequence[Fields], Sequence[Grid]]:
-    """The sheets; where they need no sheet more with several lines for equations, with long ones, and with names of
-    what is read; with little white about the figures where that spares a sheet; near: as great a share of its frame
-    lies on each side of a pole."""
+    """The sheets; where they need no sheet more with a line for each quantity that is read; with little white about the
+    figures where that spares a sheet; near: as great a share of its frame lies on each side of a pole."""
     best, trials = (told, WHITES[0], (_NO_END, True)), list(_trials(asked, told))
     white, some = trials[-1]
     least = least_sheets([_needed(*one, white, _FREE) for one in zip(asked, some, strict=True)], on.format)
@@ -110,13 +108,13 @@ def _as_told(
 
 
 def _trials(asked: Sequence[Figure], told: Sequence[Fields]) -> Iterator[tuple[float, Sequence[Fields]]]:
-    """Frames with less and less room for what is written in them, then with less white. Equations, which are written
-    on the pages before, give up their lines before readings do their names; then bars that need one go."""
+    """Frames with less and less room for what is written in them, then with less white. Bars that need a line of their
+    own go before the names of readings do, and these before the readings."""
     for white, form in _WRITTEN:
         named = [_formed(figure, one, form, white) for figure, one in zip(asked, told, strict=True)]
         for some in (named, [one._replace(own=False) for one in named]):
-            broad, bare = [one._replace(broad=True) for one in some], [one._replace(most=0) for one in some]
-            yield from ((white, lines) for lines in (broad, some, [one._replace(most=1) for one in some], bare))
+            yield white, [one._replace(broad=True) for one in some]
+            yield white, some
 
 
 def _formed(figure: Figure, told: Fields, form: Form, white: float) -> Fields:
@@ -184,7 +182,7 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> F
     (low, high), shown = framed(figure, (size[0], size[1] - told.above - told.below), known)
     low, high = low - 1j * told.below, high + 1j * told.above
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
-    if told.read is not None and any(one.placed for one in told.read.blanks):
+    if told.placed:
         shown += tuple(origin((low + 1j * told.below, high - 1j * told.above)))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
     return replace(figure, title=doubtful(figure.title), marks=border + shown + tuple(written(told, low, high)))

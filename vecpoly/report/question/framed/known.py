@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 
 from ....board.acts import Act, Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn
 from ....board.construction import Construction, Figure
-from ....board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Note, Outline, Point, Role, Segment, Vector
+from ....board.paper.marks import Arc, Curve, Dot, FixedGuide, Ground, Mark, Outline, Point, Role, Segment, Vector
 from ....designs.base import Design
 from ....devices.cams.cam import Cam
 from ....devices.dynamics.flywheel import Flywheel
 from ....devices.dynamics.run_up import RunUp
+from ....devices.eccentric_clamp import EccentricClamp
 from ....devices.gears.generation import GearGeneration as Generation
 from ....devices.ring_spring import RingSpring
 from ....devices.vee_guide import VeeGuide
@@ -22,14 +22,14 @@ from ....figures.characteristic import CHARACTERISTIC
 from ....figures.torque import TORQUE
 from ....foundation.slotted import replace
 from ....problem.problem import Problem
-from ....words import Words
 from ...picture import scaled
 from .poses import poses
+from .readings import is_measured
+from .shapes import cam, clamp, gear
 
 _FOUND = (Area, Compute, Gauge, Image, Invert, Judge, Measure, Meet, Touch, Turn)
 _SHAPED = (RingSpring, VeeGuide, WedgeClamp, Wedges)  # bodies whose angles are given
 _HELP = (Role.CONSTRUCTION, Role.DIRECTION)
-_DATUM = Words("齿条中线", "datum line of the rack")
 NEAR = 1e-6  # mm
 _CIRCLE = 25.0  # mm, radius of the circle on which the numbers of the links stand
 HALF_BLOCK = 6.0  # mm: more than a guide lies beside the line of its block
@@ -67,11 +67,13 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
     if isinstance(problem.subject, Flywheel | RunUp) and figure.view in (TORQUE, CHARACTERISTIC):
         return _curve(figure)
     if isinstance(problem.subject, Cam) and figure.name and figure.view is View.MECHANISM:
-        return _cam(problem.subject, figure)
+        return cam(problem.subject, figure)
     if isinstance(problem.subject, Generation) and figure.view is View.MECHANISM:
-        return _blank(problem.subject, figure)
-    if figure.view is View.BODY:  # of wedges their outlines, whose angles are data; that of a nut tells its lead angle
-        shaped = isinstance(problem.subject, _SHAPED)
+        return gear(problem.subject, figure)
+    if isinstance(problem.subject, EccentricClamp) and figure.view in (View.MECHANISM, View.BODY):
+        return clamp(figure)
+    if figure.view is View.BODY:  # of wedges their outlines, whose angles are data; one that is measured would tell
+        shaped = isinstance(problem.subject, _SHAPED) and not is_measured(construction, figure)
         return tuple(mark for mark in figure.marks if shaped and isinstance(mark, Outline))
     found = tuple(mark for mark in figure.marks if isinstance(mark, (Ground, FixedGuide)))
     if not isinstance(problem.subject, Design):
@@ -140,27 +142,6 @@ def begins_at(figure: Figure) -> Point | None:
         return None
     letter = next((mark.label for mark in points if abs(mark.at - first.a) < NEAR), "")
     return Point(at=first.a, label=letter, dot=Dot.POLE, step=1)
-
-
-def _cam(cam: Cam, figure: Figure) -> tuple[Mark, ...]:
-    """What a place of a cam that is drawn apart begins with: its centre, and its base circle where that is given."""
-    centre = next((m for m in figure.marks if isinstance(m, Point) and m.label == "O" and m.dot is Dot.JOINT), None)
-    if centre is None:
-        return ()
-    if cam.r0 is None:
-        return (centre,)
-    size = cam.r0.si / figure.scale.value
-    return centre, Arc(centre=centre.at, radius=size, start=0.0, sweep=2 * pi, role=Role.CENTRE, step=1)
-
-
-def _blank(gear: Generation, figure: Figure) -> tuple[Mark, ...]:
-    """With what the generation of a tooth begins: the reference circle with its letter, and the datum line of the rack,
-    which x m parts."""
-    circle = next(m for m in figure.marks if isinstance(m, Arc))
-    letter = next(m for m in figure.marks if isinstance(m, Point) and m.dot is Dot.NONE)
-    height = circle.centre + 1j * (circle.radius + gear.x * gear.m.si / figure.scale.value)
-    line = Segment(a=height - circle.radius, b=height + circle.radius, role=Role.CENTRE, step=1)
-    return circle, letter, line, Note(at=line.b, words=_DATUM, side=-1j, step=1)
 
 
 def _curve(figure: Figure) -> tuple[Mark, ...]:

@@ -1,5 +1,6 @@
 """The lines for what is read off a figure: one with its name for each quantity that is asked, l_AB = ___ mm × μ_l =
-___ m, for μ_l is in m/mm; where there is no room for that the length on paper alone, then one line without a name."""
+___ m, for μ_l is in m/mm; where there is no room for that the length on paper alone, then none: the results have a
+table. What is read on the way has its place there, or in the squares."""
 
 from __future__ import annotations
 
@@ -27,16 +28,14 @@ _APART = 5.0  # mm between two quantities on a line
 _DEGREE = "°"
 _UNITS = {"deg": _DEGREE, "mm": "m"}  # where not as printed: mm on paper times a scale in m/mm are metres
 AWAY = "^{∞}"  # of a centre, which tells where it lies
-_READINGS = Words("量得：", "Readings:")
-BEFORE = max(layout_words(text, NOTE).width for text in (_READINGS.zh, _READINGS.en)) + GAP  # mm
 
 
 class Form(IntEnum):
-    """How much a line tells: length on paper and value; what is read alone; that something is read."""
+    """How much a line tells: length on paper and value; what is read alone; there is no line."""
 
     WHOLE = 0
     SHORT = 1
-    BARE = 2
+    NONE = 2
 
 
 class Blank(NamedTuple):
@@ -59,34 +58,26 @@ class Blank(NamedTuple):
 
 
 class Readings(NamedTuple):
-    """What is read off a figure that is asked, and in which form it is written, in so many columns; none of it: one
-    line without names."""
+    """What is read off a figure that is asked, and in which form it is written, in so many columns."""
 
-    blanks: tuple[Blank, ...] = ()
-    form: Form = Form.BARE
+    blanks: tuple[Blank, ...]
+    form: Form = Form.WHOLE
     columns: int = 1
 
     @property
     def lines(self) -> int:
         """How many lines there are."""
-        return ceil(len(self.blanks) / self.columns) if self.named else 1
-
-    @property
-    def named(self) -> bool:
-        """Whether each quantity has its name."""
-        return bool(self.blanks) and self.form is not Form.BARE
+        return ceil(len(self.blanks) / self.columns)
 
     @property
     def wide(self) -> float:
         """How wide a frame should be for them (mm)."""
-        return self.columns * (_cell(self.blanks, self.form) + _APART) + _APART if self.named else 0.0
+        return self.columns * (_cell(self.blanks, self.form) + _APART) + _APART
 
-    def formed(self, form: Form, width: float) -> Readings:
+    def formed(self, form: Form, width: float) -> Readings | None:
         """In this form, in as many columns as a frame of this width has."""
-        if not self.blanks:
-            return self
-        if form is Form.BARE:
-            return Readings(self.blanks)
+        if form is Form.NONE:
+            return None
         there = int((width - _APART) / (_cell(self.blanks, form) + _APART))
         lines = ceil(len(self.blanks) / max(1, min(there, len(self.blanks))))
         if form is Form.WHOLE and lines > _MOST:
@@ -95,9 +86,6 @@ class Readings(NamedTuple):
 
     def written(self, left: complex, right: float) -> Iterator[Mark]:
         """From the first line down, between the middle of its left end and this edge."""
-        if not self.named:
-            yield from _bare(left, right)
-            return
         step = (right - left.real + _APART) / self.columns
         for n, one in enumerate(self.blanks):
             at = left + n % self.columns * step - 1j * (n // self.columns) * LINE
@@ -105,12 +93,17 @@ class Readings(NamedTuple):
 
 
 def readings(construction: Construction, figure: Figure) -> Readings | None:
-    """What is read off this figure; None if nothing is, or more than have a line each: the results have a table."""
-    place = _place(figure)
-    if not any(isinstance(act, Area | Gauge | Measure) and act.figure == place for act in construction.acts):
+    """What is read off this figure; None if nothing is that is asked, or more than have a line each."""
+    if not is_measured(construction, figure):
         return None
     blanks = tuple(dict.fromkeys(_asked(construction, figure)))
-    return Readings(blanks) if len(blanks) <= NAMED else None
+    return Readings(blanks) if 0 < len(blanks) <= NAMED else None
+
+
+def is_measured(construction: Construction, figure: Figure) -> bool:
+    """Whether anything is read off it."""
+    place = _place(figure)
+    return any(isinstance(act, Area | Gauge | Measure) and act.figure == place for act in construction.acts)
 
 
 def _place(figure: Figure) -> str:
@@ -156,13 +149,6 @@ def _read_on(answer: Answer | None, acts: Sequence[Act], with_: type[Gauge | Mea
         elif isinstance(one, Compute):
             todo += one.inputs
     return found[min(found)] if found else ""
-
-
-def _bare(at: complex, right: float) -> Iterator[Mark]:
-    """The line without a name."""
-    yield Note(at=at, words=_READINGS, side=1 + 0j, step=1, key=READ)
-    start = at + BEFORE - 1j * DROP
-    yield Segment(a=start, b=complex(right, start.imag), role=Role.CONSTRUCTION, step=1, key=READ)
 
 
 def _cell(blanks: Sequence[Blank], form: Form) -> float:
