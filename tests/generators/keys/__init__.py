@@ -1,5 +1,33 @@
 """Keys of the problem file that no other family writes: each with a judge of its own."""
 
-from . import aliases, designs, devices, loads, motions, places, stages, stages_limited, swinging, taken
+from . import (
+    aliases,
+    asked,
+    designs,
+    devices,
+    loads,
+    motions,
+    places,
+    resting,
+    scaled,
+    stages,
+    stages_limited,
+    swinging,
+    taken,
+)
 
-__all__ = ["aliases", "designs", "devices", "loads", "motions", "places", "stages", "stages_limited", "swinging", "taken"]
+__all__ = [
+    "aliases",
+    "asked",
+    "designs",
+    "devices",
+    "loads",
+    "motions",
+    "places",
+    "resting",
+    "scaled",
+    "stages",
+    "stages_limited",
+    "swinging",
+    "taken",
+]

@@ -94,7 +94,7 @@ def onto(rng: Random) -> str:
     where, p, q = ("body", "B", "C") if rng.random() < 0.5 else ("frame", "A", "D")
     spots = [f"[{rng.integers(-60, 60)} mm, {rng.integers(-60, 60)} mm]" for _ in range(2)]
     data = {"poses": f"[{', '.join(poses)}]", where: f"{{{p}: {spots[0]}, {q}: {spots[1]}}}"}
-    for letter in ({"B": "AD", "A": "BC"}[p] if count == 2 else ""):
+    for letter in {"B": "AD", "A": "BC"}[p] if count == 2 else "":
         data[letter] = f"on {rng.choice(['x', 'y'])} = {rng.integers(-80, 80)} mm"
     return task("positions", data | {"onto": f"{rng.integers(1, count + 1)}"}, "AB, BC, CD, AD")
 
