@@ -98,7 +98,7 @@ def _judged(text: str, also: Check, fitted: bool) -> Verdict:
     problem = loads(text)
     solution = solve(problem, by="exact", repeats=0) if fitted else exactly(problem)
     wrong = _disagreeing(solution)
-    if not wrong and isinstance(problem.subject, Mechanism):
+    if not wrong and isinstance(problem.subject, Mechanism) and len(problem.subject.drives) == 1:
         wrong = against_differences(problem.subject, solution)
     warning = solution.construction.warning
     wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or _nameless(solution)

@@ -14,6 +14,7 @@ from . import (
     stages_limited,
     swinging,
     taken,
+    two_drives,
 )
 
 __all__ = [
@@ -30,4 +31,5 @@ __all__ = [
     "stages_limited",
     "swinging",
     "taken",
+    "two_drives",
 ]

@@ -36,7 +36,7 @@ def as_places_say(solution: Solution) -> str:
 
 @family("keys-resting", also=as_places_say, often=3)
 def resting(rng: np.random.Generator) -> str:
-    """A four-bar; a dyad on its pivot, on a point of the rocker that lies there, or on one that moves; another behind."""
+    """A four-bar; a dyad on its pivot, on a point of the rocker that lies there, or on one that moves; one more."""
     d, f = int(rng.integers(180, 240)), complex(int(rng.integers(260, 320)), int(rng.integers(60, 140)))
     where = str(rng.choice(["D", "G", "C", "S"]))
     rocker = "DC: 130 mm" + (", G: {along: DC, at: 0 mm}" if where == "G" else "")

@@ -20,7 +20,7 @@ from ..library import data_of
 from ..retold.original import Change, against, solved, told
 
 Random = np.random.Generator
-KINDS = ("linkage-r", "forces", "flywheel", "run-up", "design-cam", "device-rotor", "machine-flywheels", "balanc")
+KINDS = ("linkage-rr", "four-bar", "flywheel by", "reduced", "run-up")
 ROUND = (0.8, 1.25, 1.6)
 
 
