@@ -33,9 +33,9 @@ NO_ANSWER_HANGS_ON = {
     r"\.tables|\.loads\.\*\.size\.table": "files beside the problem: a member is a text alone",
     r"\.scales.*|\.sheet.*": "how it is drawn: keys-scales, whose members are drawn to be made, is sampled in the soak",
     r"\.vary.*|\.gate.*|\.problems.*": "variants and assignments: several problems; see tests/variants and tests/batch",
-    r"\.(rules|rubric|points|totals)\b.*": "marks, no answers: see tests/grading and tests/marked",
-    r"\.input\[\]\.(on|cylinder|length|s|v|a)": "a drive in a list is the one that stands alone, which is written",
-    r"\.links\.\*\.face\.right|\.masses\.\*\.(J|S\..*)|.*=squares|rotor.*density": "rare in keys-sides, keys-aliases ...",
+    r"\.(rules|rubric|points|totals)\b.*": "marks, see tests/grading",
+    r"\.input\[\]\.(on|cylinder|length|s|v|a)": "a drive in a list is one that stands alone",
+    r"\.links\.\*\.face\.right|\.masses\.\*\.(J|S\..*)|.*=squares|rotor.*density": "rare, in keys-sides ...",
 }
 
 
