@@ -17,6 +17,7 @@ from .board.paper.sizes import unfit
 from .check.alarm import Cause, contradicted, warning
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
+from .check.resting import at_rest
 from .drawing.sheets.paper import DrawingPaper
 from .found import conclusion, found_json, linkage, objection, verification
 from .foundation.arguments import of_kind
@@ -135,7 +136,7 @@ def solve(
         )
     construction, answers = as_printed(drawn.construction, answers)
     small = unfit(construction.figures, task.given({figure.view for figure in construction.figures}))
-    told = (*problem.warnings, *(idle(problem) if precise else ()), *small)
+    told = (*problem.warnings, *((*at_rest(problem), *idle(problem)) if precise else ()), *small)
     return Solution(problem, _warned(task, drawn._replace(construction=construction), answers), answers, told)
 
 

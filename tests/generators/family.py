@@ -13,7 +13,16 @@ import numpy as np
 from vecpoly.solution import Solution
 
 Make = Callable[[np.random.Generator], str]
-Check = Callable[[Solution], str]  # what is wrong with a solution, or "" where nothing is
+
+
+@dataclass(frozen=True, slots=True)
+class OnText:
+    """A check of a text of which no solution is drawn: an assignment, a motion that has exact answers only."""
+
+    wrong: Callable[[str], str]
+
+
+Check = Callable[[Solution], str] | OnText  # what is wrong with a solution, or "" where nothing is
 
 
 def content(solution: Solution) -> str:

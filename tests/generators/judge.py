@@ -22,7 +22,7 @@ from vecpoly.oracle.synthesis.registry import linkages
 from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
-from .family import Check, content
+from .family import Check, OnText, content
 from .nearby import largest, natural, over_a_period, slack
 
 AGREE = 1e-9  # of the largest quantity of the kind
@@ -92,10 +92,13 @@ def moves(text: str) -> bool:
 
 
 def _judged(text: str, also: Check, fitted: bool) -> Verdict:
+    if isinstance(also, OnText):
+        told = also.wrong(text)
+        return Verdict(kind=Kind.WRONG if told else Kind.RIGHT, why=told)
     problem = loads(text)
     solution = solve(problem, by="exact", repeats=0) if fitted else exactly(problem)
     wrong = _disagreeing(solution)
-    if not wrong and isinstance(problem.subject, Mechanism):
+    if not wrong and isinstance(problem.subject, Mechanism) and len(problem.subject.drives) == 1:
         wrong = against_differences(problem.subject, solution)
     warning = solution.construction.warning
     wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or _nameless(solution)

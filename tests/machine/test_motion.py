@@ -149,8 +149,29 @@ def test_given_courses_of_inertia_and_moment_lead_to_the_speeds_of_the_case() ->
     assert problem.machine is not None
     places = (60, 120, 180, 270)
     found = follow(_Given(problem.mechanism, problem.machine.loads), 0.0, 14.0, 2 * np.pi, tuple(np.radians(places)))
-    assert [speed for _, speed in found.passed] == pytest.approx([wanted["omega"][str(q)] for q in places], rel=5e-9)
+    assert [speed for _, speed in found.passed.values()] == pytest.approx(
+        [wanted["omega"][str(q)] for q in places], rel=5e-9
+    )
     assert found.end[2] == pytest.approx(wanted["omega"]["360"], rel=5e-9)
     assert found.end[0] == pytest.approx(wanted["T_s"], rel=5e-9)
     (place, top), _ = found.extremes
     assert (np.degrees(place), top) == pytest.approx((wanted["at_deg"], wanted["omega_max"]), rel=1e-7)
+
+
+SWUNG = PENDULUM.replace("phi: 30 deg, omega: 0 rad/s}, until: 1080 deg", "phi: 260 deg, omega: 5 rad/s}, MORE")
+
+
+def swung(at: str, find: str) -> dict[str, complex]:
+    text = SWUNG.replace("MORE", f"until: 170 deg, at: [{at}]").replace("[T_cycle, omega_max]", find)
+    return dict(exact_values(read(dedent(text))))
+
+
+def test_a_place_that_a_swinging_machine_never_comes_to_has_no_speed_of_another_place() -> None:
+    assert swung("15 deg, 85 deg", "[omega_at_15]")["omega_at_15"].real > 0
+    with pytest.raises(EquilibriumError, match="there is no omega_at_85: the machine swings"):
+        swung("15 deg, 85 deg", "[omega_at_85]")
+
+
+def test_a_place_that_is_named_twice_is_one_place() -> None:
+    once, twice = (swung(f"{more}20 deg, 35 deg", "[omega_at_20, omega_at_35]") for more in ("", "20 deg, "))
+    assert once == twice

@@ -34,6 +34,7 @@ def exact(
     from ...check.designs.several import several_of
     from ...check.designs.unsolvable import conclusion
     from ...check.precision import noise, settled, sizes
+    from ...check.resting import at_rest
     from ...check.truth import truth_of
     from ...methods.drawing import drawing_of
     from ...task import Task
@@ -41,7 +42,7 @@ def exact(
     data: list[dict[str, Any]] = []
     for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem):
-            warn(problem.id, problem.warnings, lang)
+            warn(problem.id, (*problem.warnings, *at_rest(problem)), lang)
             truth = truth_of(problem)
             size = sizes(problem, truth)
             off = noise(problem, truth, size)  # refuses what has lost its digits

@@ -91,8 +91,17 @@ class Assembly:
         lengths = [self._link(step.join, letter) for letter in (one, two)]
         side = 1 if step.side == "left" else -1
         stage = Assemble(pin=step.join, one=one, to_one=lengths[0], two=two, to_two=lengths[1], side=side)
-        self._pivots[step.join] = self._pivots[two]
-        return stage, Hinged(a=self._pivots[one], b=one, c=step.join, d=two)
+        pivot, pin = self._pivot_and_pin(step.join, one, two)
+        self._pivots[step.join] = pivot
+        return stage, Hinged(a=self._pivots[pin], b=pin, c=step.join, d=pivot)
+
+    def _pivot_and_pin(self, joined: str, one: str, two: str) -> tuple[str, str]:
+        """Which of two letters is the fixed pivot of a rocker, and which the pin that moves, in whichever order."""
+        pivots = [letter for letter in (one, two) if self._pivots.get(letter) == letter]
+        pins = [letter for letter in (one, two) if letter in self._pivots and letter not in pivots]
+        if not pivots or not pins or self._pivots[pins[0]] == pivots[0]:
+            raise _not_one_pivot(joined, one, two)
+        return pivots[0], pins[0]
 
     def _limits(self, step: Step) -> tuple[Stage, Loop]:
         assert step.limits and step.on and step.crank and step.K and step.first and step.limit
@@ -173,6 +182,18 @@ def _two(letters: str) -> tuple[str, str]:
             code="spelling",
         )
     return letters[0], letters[1]
+
+
+def _not_one_pivot(pin: str, one: str, two: str) -> FaultError:
+    return FaultError(
+        Words(
+            f"{pin} 须联接一个固定铰链和一个绕固定铰链转动的构件上的铰链，{one}、{two} 不是这样的一对；如写 to: BD",
+            f"{pin} must join a fixed pivot and a pin of a link that turns about another, which "
+            f"{one} and {two} are not; write e.g. to: BD",
+        ),
+        "stages",
+        code="contradiction",
+    )
 
 
 def _unknown(name: str, known: Iterable[str]) -> FaultError:

@@ -39,12 +39,20 @@ class Sliding:
 Loop = Hinged | Sliding
 
 
-def chains(loops: Iterable[Loop]) -> Iterator[tuple[Hinged, Sliding]]:
-    """Each four-bar with a slider that hangs on its rocker."""
-    every = list(loops)
-    fours = [loop for loop in every if isinstance(loop, Hinged)]
-    slides = [loop for loop in every if isinstance(loop, Sliding)]
-    return ((four, slide) for four in fours for slide in slides if (four.d, four.c) == (slide.a, slide.b))
+def chains(loops: Iterable[Loop]) -> Iterator[tuple[Loop, ...]]:
+    """Each loop that hangs on the rocker of another, behind those that lead from the driver to it."""
+    every = tuple(loops)
+    for loop in every:
+        trail: tuple[Loop, ...] = (loop,)
+        while (before := _carrier(trail[0], every)) is not None and before not in trail:
+            trail = (before, *trail)
+        if len(trail) > 1:
+            yield trail
+
+
+def _carrier(loop: Loop, every: Iterable[Loop]) -> Hinged | None:
+    """The loop whose rocker drives this one."""
+    return next((one for one in every if isinstance(one, Hinged) and one.d == loop.a), None)
 
 
 def sides(loop: Loop) -> tuple[tuple[str, str], ...]:

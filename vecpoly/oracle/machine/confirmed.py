@@ -45,7 +45,6 @@ def confirmed(mech: Mechanism, loads: Loads, of: Course, speed: float, found: Ev
     start, places = of.sense * found.fastest.psi, _places(of)
     ways = tuple(float(of.sense * (at - start) % of.period) or of.period for at in places)
     moved = follow(mover, start, of.sense * found.fastest.value, of.period, ways)
-    speeds = dict(zip(sorted(ways), moved.passed, strict=False))
     (_, fast), (_, slow) = moved.extremes
     phi, omega = (_joined(moved, what) for what in ("phi", "omega"))
     return Confirmed(
@@ -54,7 +53,9 @@ def confirmed(mech: Mechanism, loads: Loads, of: Course, speed: float, found: Ev
         phi=phi,
         omega=omega,
         flows=tuple(
-            (at, _flow(mover, at, speeds[way][1])) for at, way in zip(places, ways, strict=True) if way in speeds
+            (at, _flow(mover, at, moved.passed[way][1]))
+            for at, way in zip(places, ways, strict=True)
+            if way in moved.passed
         ),
     )
 

@@ -6,6 +6,7 @@ the machine turns back, or stalls: what only resists drives nothing back.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -14,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import EquilibriumError
+from ...foundation.frozen import FrozenMap
 from ...foundation.slotted import replace
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
@@ -52,12 +54,12 @@ class Leg:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Moved:
-    """A motion: its segments, how it ended, where it turned back (t, φ), when it passed the stations (t, ω)."""
+    """A motion: its segments, how it ended, where it turned back (t, φ), when it first passed stations (way → t, ω)."""
 
     legs: tuple[Leg, ...]
     outcome: Outcome
     turned: tuple[tuple[float, float], ...] = ()
-    passed: tuple[tuple[float, float], ...] = ()
+    passed: Mapping[float, tuple[float, float]] = FrozenMap({})
 
     @property
     def end(self) -> tuple[float, float, float]:

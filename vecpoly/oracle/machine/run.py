@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import MissingPackageError
+from ...foundation.frozen import FrozenMap
 from ...words import Words
 from .forward import ATOL, MOST, NOTHING, RTOL, STILL, Leg, Moved, Mover, Outcome, State, refuse_massless
 
@@ -27,10 +28,10 @@ class _Course:
     stations: tuple[float, ...]
     legs: list[Leg] = field(default_factory=list)
     turned: list[tuple[float, float]] = field(default_factory=list)
-    passed: list[tuple[float, float]] = field(default_factory=list)
+    passed: dict[float, tuple[float, float]] = field(default_factory=dict)
 
     def ended(self, outcome: Outcome) -> Moved:
-        return Moved(legs=tuple(self.legs), outcome=outcome, turned=tuple(self.turned), passed=tuple(self.passed))
+        return Moved(legs=tuple(self.legs), outcome=outcome, turned=tuple(self.turned), passed=FrozenMap(self.passed))
 
     def goal(self, phi: float, sense: float) -> float:
         """The next place that is asked for."""
@@ -76,8 +77,9 @@ def _seen(
         seen.turned.append((t, phi))
         again = len(seen.turned) > 2 and abs(phi - seen.turned[-3][1]) < BACK
         return Outcome.OSCILLATES if again else None
-    if there and any(abs(seen.way(phi) - way) < NEAR for way in seen.stations):
-        seen.passed.append((t, omega))
+    for way in seen.stations if there else ():
+        if abs(seen.way(phi) - way) < NEAR:
+            seen.passed.setdefault(way, (t, omega))  # who swings to and fro comes by again
     return Outcome.REACHED if there and abs(seen.way(phi) - turned) < NEAR else None
 
 

@@ -48,7 +48,7 @@ def started_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
         "omega_min": slow[1],
         "delta": (abs(fast[1]) - abs(slow[1])) / mean if mean else np.nan,
     }
-    for way, (when, speed) in zip(sorted(run.stations), moved.passed, strict=False):
+    for way, (when, speed) in moved.passed.items():
         values |= {named.key: value for named, value in zip(at_station(way), (speed, when), strict=True)}
     flow = power_flow(mech, machine.loads, run.phi, run.omega, run.flywheel)
     values |= {f"power_{name}": power for name, power in flow.powers.items()}

@@ -6,6 +6,7 @@ circuit. The sense of the angle opposite the driver tells between which dead poi
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 from math import tau
 from typing import assert_never
@@ -26,17 +27,17 @@ def judged(sheet: Sheet) -> Verdict:
     """The verdict on the whole linkage, by the first loop that fails; either link may drive where the plan says so."""
     if _shrunk(sheet):
         return Verdict.NO_LINK
-    verdicts = [_loop(sheet, loop) for loop in sheet.plan.loops]
-    wrong = next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
-    if wrong is Verdict.VALID and not all(_passes(sheet, *chain) for chain in chains(sheet.plan.loops)):
+    hung = {chain[-1]: chain for chain in chains(sheet.plan.loops)}
+    verdicts = [(loop, _loop(sheet, loop)) for loop in sheet.plan.loops]
+    wrong = next((verdict for loop, verdict in verdicts if not _harmless(verdict, loop in hung)), Verdict.VALID)
+    if wrong is Verdict.VALID and not all(reaches(chain, partial(_spots, sheet)) for chain in hung.values()):
         return Verdict.BRANCH
     return wrong
 
 
-def _passes(sheet: Sheet, four: Hinged, slide: Sliding) -> bool:
-    """Whether the slider on its rocker lets the crank through the positions."""
-    a, b, c, d = (_spots(sheet, letter) for letter in four.letters)
-    return reaches((a, b, c, d), slide.along, _spots(sheet, slide.c))
+def _harmless(verdict: Verdict, hung: bool) -> bool:
+    """Whether a loop may be so: one that hangs on a rocker may be driven to and fro."""
+    return verdict is Verdict.VALID or (hung and verdict is Verdict.ORDER)
 
 
 def _shrunk(sheet: Sheet) -> bool:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import degrees
 
 from ....designs.inversion.angle_pairs import AnglePairs
-from ....designs.inversion.loops import Hinged, Loop, Sliding, chains
+from ....designs.inversion.loops import Hinged, Loop, chains
 from ....designs.inversion.plan import Find, Plan
 from ....designs.inversion.positions import Positions
 from ....designs.inversion.stages import Stages
@@ -20,6 +20,7 @@ from .staged import Found, linkages
 
 _NONE = 1e-7  # of the extent of what is given: a link shorter than that has no length
 _STRAIGHT = 1e-9  # deg
+_HARMLESS = {False: (None,), True: (None, Defect.ORDER)}  # a rocker that drives a loop may turn back meanwhile
 
 
 @synthesizes(Positions)
@@ -84,17 +85,12 @@ def _pins(found: Found) -> dict[str, complex]:
 def _verdict(plan: Plan, found: Found) -> Verdict:
     if min(found.length(one, two) for one, two in plan.bars()) < _NONE * plan.extent:
         return Verdict.NO_LINK
-    defects = [_defect(loop, found, plan.either) for loop in plan.loops]
-    found_wrong = next((defect for defect in defects if defect is not None), None)
-    if found_wrong is None and any(_stopped(found, four, slide) for four, slide in chains(plan.loops)):
+    hung = {chain[-1]: chain for chain in chains(plan.loops)}
+    defects = [(loop, _defect(loop, found, plan.either)) for loop in plan.loops]
+    found_wrong = next((defect for loop, defect in defects if defect not in _HARMLESS[loop in hung]), None)
+    if found_wrong is None and any(stopped(chain, found.pins) for chain in hung.values()):
         found_wrong = Defect.BRANCH
     return Verdict.VALID if found_wrong is None else Verdict[found_wrong.name]
-
-
-def _stopped(found: Found, four: Hinged, slide: Sliding) -> bool:
-    pins = found.pins
-    bars = pins[four.b], pins[four.c], pins[four.a][0], pins[four.d][0]
-    return stopped(bars, slide.along, pins[slide.c])
 
 
 def _defect(loop: Loop, found: Found, either: bool) -> Defect | None:
