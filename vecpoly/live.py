@@ -14,7 +14,7 @@ from .drawing.scene import Scene
 from .foundation.frozen import FrozenMap
 from .foundation.slotted import dataclass, replace
 from .mechanism.model import Mechanism
-from .methods.plan import drawn_alone
+from .methods.plan import drawn_roughly
 from .problem.problem import Problem
 from .solution import Solution, scales_of, solve
 from .words import Lang
@@ -27,7 +27,7 @@ class Redrawn:
     """What stands on the paper now: the problem, its construction,
     the scene of each figure (mm), and where its letters and supports stand.
 
-    Nothing here has been weighed against exact values: `check` does that.
+    Nothing here has been weighed against exact values, and no lines are worked out in the steps: `check` does that.
     """
 
     problem: Problem
@@ -73,7 +73,7 @@ def redraw(last: Solution | Redrawn, problem: Problem, *, lang: Lang = "zh") -> 
 def _constructed(last: Construction, problem: Problem) -> Construction:
     if not isinstance(problem.subject, Mechanism):
         return solve(problem, by=last.hand, repeats=0, precise=False).construction
-    return drawn_alone(replace(problem, scales=scales_of(last)), hand(last.hand, repeats=0))
+    return drawn_roughly(replace(problem, scales=scales_of(last)), hand(last.hand, repeats=0))
 
 
 def _placed(figures: tuple[Figure, ...], lang: Lang) -> dict[Name, Follower]:

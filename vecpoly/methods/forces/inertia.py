@@ -92,7 +92,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
         line=letters,
         scale=board.scales[View.ACCELERATION].symbol,
         factor=f"m_{link}",
-        formula=worked(size.node, expr, "N"),
+        formula=worked(size.node, expr, "N") if board.writes else None,
     )
     st.keep(reading, size.value, each)
     return _settle(st, mass, named, vector, st.desk.where(At(mass.centre)))
@@ -110,7 +110,8 @@ def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
         expr = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2") * magnitude(
             f"α_{link}", np.abs(rate), "rad/s^2"
         )
-        couple, formula = board.compute(named.symbol, expr, named.unit), worked(couple.node, expr, named.unit)
+        couple = board.compute(named.symbol, expr, named.unit)
+        formula = worked(couple.node, expr, named.unit) if board.writes else None
         way = TURN[sense]
         board.remark(
             Words(
@@ -161,7 +162,7 @@ def _arm(st: Statics, mass: Mass, force: Acting, couple: Quantity) -> Quantity:
             symbol=named.symbol,
             unit="m",
             scalar=float(nominal(arm.value)),
-            formula=worked(arm.node, expr, "m"),
+            formula=worked(arm.node, expr, "m") if st.board.writes else None,
         ),
         arm.value,
     )
