@@ -60,8 +60,9 @@ class Places:
     @cached_property
     def alike(self) -> tuple[Indices, Indices]:
         """Of places on leaders those that differ, and which of these each is: several may start at one foot."""
-        feet = self.want.feet[:LED]
-        numbers = np.arange(len(self.spots.centre)).reshape(-1, len(feet), len(DIRECTIONS))
+        numbers = np.arange(len(self.spots.centre)).reshape(len(self.ring), -1, len(DIRECTIONS))
+        first = self.spots.some(numbers[0, :, 0])  # of each foot
+        feet = [*zip(first.centre.tolist(), first.foot.tolist(), strict=True)]
         found, which = np.unique(numbers[:, [feet.index(foot) for foot in feet]].ravel(), return_inverse=True)
         return found, which
 
