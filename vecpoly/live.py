@@ -14,7 +14,7 @@ from .drawing.scene import Scene
 from .foundation.frozen import FrozenMap
 from .foundation.slotted import dataclass, replace
 from .mechanism.model import Mechanism
-from .methods.plan import drawn_alone
+from .methods.plan import drawn_roughly
 from .problem.problem import Problem
 from .solution import Solution, scales_of, solve
 from .words import Lang
@@ -25,16 +25,21 @@ Name = tuple[str, str]  # of a figure: its kind, and which of several
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Redrawn:
     """What stands on the paper now: the problem, its construction,
-    the scene of each figure (mm), and where its letters stand.
+    the scene of each figure (mm), and where its letters and supports stand.
 
-    Nothing here has been weighed against exact values: `check` does that.
+    Nothing here has been weighed against exact values, and no lines are worked out in the steps: `check` does that.
     """
 
     problem: Problem
     construction: Construction
     scenes: tuple[Scene, ...]
-    letters: Mapping[Name, Mapping[Label, int]]
+    followers: Mapping[Name, Follower]
     lang: Lang
+
+    @property
+    def letters(self) -> Mapping[Name, Mapping[Label, int]]:
+        """Which of its places each letter of a figure has."""
+        return {name: follower.choice for name, follower in self.followers.items()}
 
     def check(self) -> Solution:
         """The solution of the same problem by the same hand, at the same scales, with the exact values beside it."""
@@ -51,32 +56,30 @@ def redraw(last: Solution | Redrawn, problem: Problem, *, lang: Lang = "zh") -> 
     """
     construction = _constructed(last.construction, problem)
     before = (
-        last.letters if isinstance(last, Redrawn) and last.lang == lang else _placed(last.construction.figures, lang)
+        last.followers if isinstance(last, Redrawn) and last.lang == lang else _placed(last.construction.figures, lang)
     )
     scenes: list[Scene] = []
-    letters: dict[Name, Mapping[Label, int]] = {}
+    followers: dict[Name, Follower] = {}
     for figure in construction.figures:
         name = (figure.view.name, figure.name)
-        follower = Follower(lang, choice=dict(before.get(name, {})))
+        follower = followers[name] = before[name].again() if name in before else Follower(lang)
         scene = Scene.of(follower.lettered(figure))
         scenes.append(scene + Scene.of(caption_items(figure, scene.extents, lang)))
-        letters[name] = FrozenMap(follower.choice)
     return Redrawn(
-        problem=problem, construction=construction, scenes=tuple(scenes), letters=FrozenMap(letters), lang=lang
+        problem=problem, construction=construction, scenes=tuple(scenes), followers=FrozenMap(followers), lang=lang
     )
 
 
 def _constructed(last: Construction, problem: Problem) -> Construction:
     if not isinstance(problem.subject, Mechanism):
         return solve(problem, by=last.hand, repeats=0, precise=False).construction
-    return drawn_alone(replace(problem, scales=scales_of(last)), hand(last.hand, repeats=0))
+    return drawn_roughly(replace(problem, scales=scales_of(last)), hand(last.hand, repeats=0))
 
 
-def _placed(figures: tuple[Figure, ...], lang: Lang) -> dict[Name, Mapping[Label, int]]:
-    """Where letters stand that were placed all together, as on paper."""
-    found: dict[Name, Mapping[Label, int]] = {}
+def _placed(figures: tuple[Figure, ...], lang: Lang) -> dict[Name, Follower]:
+    """How letters stand that were placed all together, as on paper."""
+    found: dict[Name, Follower] = {}
     for figure in figures:
-        follower = Follower(lang)
+        follower = found[figure.view.name, figure.name] = Follower(lang)
         follower.lettered(figure)
-        found[figure.view.name, figure.name] = follower.choice
     return found

@@ -51,14 +51,9 @@ def construct(
     return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion, desk.board.hands)
 
 
-def drawn_alone(problem: Problem, by: Hand) -> Construction:
-    """The construction as this hand draws it at the scales of the problem, with no ideal hand's beside it: nothing is
-    weighed."""
-    return drawn_otherwise(problem, by, AS_DRAWN).construction
-
-
 def drawn_roughly(problem: Problem, by: Hand) -> Construction:
-    """The same, of which nobody reads the lines that are worked out."""
+    """The construction as this hand draws it at the scales of the problem, with no ideal hand's beside it: nothing is
+    weighed, and nobody reads the lines that are worked out."""
     return _drawn(problem, partial(Unwritten, by))[0].construction
 
 

@@ -103,7 +103,7 @@ def _frames(places: Sequence[Figure | None], start: int, size: float, lang: Lang
     """The letters follow from the given place on to the end, then from there back to the beginning."""
     there = Follower(lang or "zh", size)
     given = _stepless(there, places[start])
-    back = Follower(there.lang, size, dict(there.choice))
+    back = there.again()
     later = [_stepless(there, one) for one in places[start + 1 :]]
     sooner = [_stepless(back, one) for one in reversed(places[:start])]
     items = (*reversed(sooner), given, *later)

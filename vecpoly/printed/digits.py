@@ -181,8 +181,9 @@ def _falls_on(mm: float, places: int) -> bool:
 
 def coarse(answer: Answer) -> float | None:
     """The share that the expected error is of the answer, where it is so large that it must be told; inf of zero."""
-    bearing = answer.key.startswith(_BEARINGS) and answer.reading.unit == "deg"  # no share of a direction
-    if answer.computed or answer.is_place or answer.reading.unit == YES_NO or bearing:
+    if answer.computed or answer.is_place or answer.reading.unit == YES_NO:
+        return None
+    if answer.reading.unit == "deg" and answer.key.startswith(_BEARINGS):  # no share of a direction
         return None
     error = answer.expected_error
     if not isfinite(error) or not error or abs(answer.drawn) < 1e-9 * error:

@@ -50,6 +50,11 @@ class Box:
         """Ascent and descent together, mm."""
         return self.ascent + self.descent
 
+    @property
+    def text(self) -> str:
+        """Its letters, as they come."""
+        return "".join(item.text for item in self.items if isinstance(item, Glyphs))
+
     def moved(self, dx: float, dy: float) -> Iterator[Item]:
         """The items with the origin put at (dx, dy)."""
         for item in self.items:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
 from ...algebra.formula import Node, Row, Txt, plain, row
 from ...algebra.quantity import number
@@ -66,21 +68,26 @@ def in_mm(line: Node, reading: Reading) -> Node:
     return Row((*line.items[:-1], ends), line.worked)
 
 
+@dataclass(frozen=True)
 class _Line:
-    """A line of a step, with what it evaluates and the number that it ends with."""
+    """A line of a step."""
 
-    def __init__(self, step: int, node: Node) -> None:
-        text = plain(node)
-        self.step, self.node = step, node
-        self.name = text.split(" = ")[0].strip()
-        self.result = text.rsplit(" = ", 1)[-1].split(" ")[0].rstrip("°").lstrip("−")  # senses are told in words
+    step: int
+    node: Node
+
+    @cached_property
+    def said(self) -> tuple[str, str]:
+        """What it evaluates, and the number that it ends with."""
+        text = plain(self.node)
+        result = text.rsplit(" = ", 1)[-1].split(" ")[0].rstrip("°").lstrip("−")  # senses are told in words
+        return text.split(" = ")[0].strip(), result
 
 
 def _written(lines: Sequence[_Line], reading: Reading) -> _Line | None:
     """The line that evaluates a quantity in a step already, the last one: its own before one that comes to the same."""
+    own = next((one for one in reversed(lines) if one.node == reading.formula), None)
     named = (plain(row(reading.symbol)), number(abs(reading.scalar)))
-    own = (one for one in reversed(lines) if one.node == reading.formula)
-    return next(own, next((one for one in reversed(lines) if (one.name, one.result) == named), None))
+    return own or next((one for one in reversed(lines) if one.said == named), None)
 
 
 def _as_another(lines: Sequence[_Line], node: Node) -> Node:

@@ -3,6 +3,7 @@ and looks for another only where it would stand on something."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import inf
@@ -28,7 +29,7 @@ from .want import BREAKING, Want, resized
 APART, BESIDE = 0.9, 1.5  # mm between two labels one over the other, and side by side
 CLASH = 200.0  # what standing on another label costs
 
-Name = tuple[object, ...]
+Name = tuple[str, int]  # what a label says, and which of several it is that say so
 
 
 @dataclass(slots=True)
@@ -39,6 +40,10 @@ class Follower:
     size: float = 1.0  # of the letters, beside that on paper
     choice: dict[Name, int] = field(default_factory=dict)  # which of its places each label has
     supports: tuple[Ground, ...] = ()  # as they stand at the first position
+
+    def again(self) -> Follower:
+        """Another that goes on from where these letters and supports stand."""
+        return Follower(self.lang, self.size, dict(self.choice), self.supports)
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
@@ -111,13 +116,13 @@ def _chosen(paper: Drawing) -> dict[Name, int]:
 
 
 def _names(wanted: tuple[Want, ...]) -> list[Name]:
-    """The name of each label: its type, and which of several of that type it is."""
-    seen: dict[Name, int] = {}
+    """The name of each label."""
+    seen = Counter[str]()
     out: list[Name] = []
     for want in wanted:
-        text: Name = tuple(piece.box for piece in want.pieces)
-        seen[text] = seen.get(text, 0) + 1
-        out.append((*text, seen[text]))
+        text = "".join(piece.box.text for piece in want.pieces)
+        seen[text] += 1
+        out.append((text, seen[text]))
     return out
 
 
@@ -135,9 +140,11 @@ def _costs(stayed: Mapping[int, Placed], around: Around) -> Floats:
     breaks = np.array([label.want.thing in BREAKING for label in labels], dtype=bool)
     at = np.array([label.centre for label in labels], dtype=complex)
     cost = around.obstacles.cost(at, size, (own[:, 0], own[:, 1]), [slice(0, len(at))], breaks)
-    led = np.array([label.foot is not None for label in labels], dtype=bool)
-    middles = {number: label.centre for number, label in stayed.items()}
-    return cost + np.where(led, 0.0, misled_here(Named.by(around.wanted, around.unnamed, around.grounds), middles))
+    near = {number: label.centre for number, label in stayed.items() if label.foot is None}
+    cost[[label.foot is None for label in labels]] += misled_here(
+        Named.by(around.wanted, around.unnamed, around.grounds), near
+    )
+    return cost
 
 
 def _touch(a: Placed, b: Placed) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...foundation.slotted import dataclass
-from .about.bounds import Complexes, Floats
+from .about.bounds import Complexes, Floats, Indices
 from .want import Thing, Want
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
@@ -39,6 +39,10 @@ class Spots:
     cost: Floats
     foot: Complexes
     root: Complexes  # of the thing that is named, where the place is nearest to it
+
+    def some(self, which: Indices) -> Spots:
+        """Some of them."""
+        return Spots(self.centre[which], self.cost[which], self.foot[which], self.root[which])
 
     @property
     def parts(self) -> tuple[Complexes, Floats, Complexes, Complexes]:

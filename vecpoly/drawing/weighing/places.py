@@ -58,6 +58,15 @@ class Places:
         return on_leaders(self.want, self.ring) if self.led else beside(self.want, self.around.drawn.centre)
 
     @cached_property
+    def alike(self) -> tuple[Indices, Indices]:
+        """Of places on leaders those that differ, and which of these each is: several may start at one foot."""
+        numbers = np.arange(len(self.spots.centre)).reshape(len(self.ring), -1, len(DIRECTIONS))
+        first = self.spots.some(numbers[0, :, 0])  # of each foot
+        feet = [*zip(first.centre.tolist(), first.foot.tolist(), strict=True)]
+        found, which = np.unique(numbers[:, [feet.index(foot) for foot in feet]].ravel(), return_inverse=True)
+        return found, which
+
+    @cached_property
     def half(self) -> complex:
         """Half the width and height of the label."""
         return complex(self.want.width / 2, self.want.height / 2)
@@ -206,9 +215,10 @@ def price(places: Sequence[Places]) -> None:
     new = [part for part in places if part.stand is None]
     near, led = ([part for part in new if part.led is led] for led in (False, True))
     if new:
-        found = stands(new[0].around, *([(part.want, part.spots) for part in some] for some in (near, led)))
+        leading = [(part.want, part.spots.some(part.alike[0])) for part in led]
+        found = stands(new[0].around, [(part.want, part.spots) for part in near], leading)
         for part, stand in zip((*near, *led), found, strict=True):
-            part.stand = stand
+            part.stand = stand.some(part.alike[1]) if part.led else stand
 
 
 def price_all(rows: Sequence[Row]) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...foundation.slotted import dataclass
-from ..labels.about.bounds import Complexes, Floats
+from ..labels.about.bounds import Complexes, Floats, Indices
 from ..labels.about.obstacles import Obstacles
 from ..labels.leading import alongside
 from ..labels.rivals import Named, misled
@@ -46,6 +46,10 @@ class Stand:
         """All this together, for a label that has no other place in a crowd, or for another."""
         cost = self.under + (self.between * (IN_CROWD if led and want.farther else 1.0) + self.misled)
         return cost if frame is None else cost + BEYOND_FRAME * beyond(want, spots.centre, frame)
+
+    def some(self, which: Indices) -> Stand:
+        """That of some of them, or of them in another order."""
+        return Stand(self.under[which], self.between[which], self.misled[which])
 
 
 Some = tuple[Want, Spots]  # places of one label

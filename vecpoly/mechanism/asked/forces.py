@@ -108,10 +108,8 @@ def apart(mech: Mechanism) -> tuple[tuple[str, str], ...]:
 def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
     """Every quantity of the loaded mechanism by its key."""
     unknown = load_named(loads.unknown)
-    ideal = without_friction(unknown)
-    found = [unknown, Named("eta", "η", ""), ideal]
-    alone = ideal if loads.friction else unknown  # where there is no friction, M_1,0 would be another name of M_1
-    found += [Named(f"{unknown.key}_{way}", alone.symbol, unknown.unit) for way in ("lever", "power")]
+    found = [unknown, Named("eta", "η", ""), without_friction(unknown)]
+    found += [balanced_by(way, loads) for way in ("lever", "power")]
     found += [load_named(load) for load in loads.all if load.law is not None]
     found += [spring_named(spring) for spring in loads.springs]
     if loads.constant is not None:
@@ -123,14 +121,22 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
             named = press_named(mech, by, on)
             found += [named, without_friction(named)]
     for mass in loads.masses:
-        link = mass.link
-        found += [
-            Named(f"F_I{link}", f"F_{{I{link}}}", "N", True),
-            Named(f"M_I{link}", f"M_{{I{link}}}", "N·m"),
-            Named(f"h_{link}", f"h_{link}", "m"),
-        ]
-        found += mass_named(mass)
+        found += [*inertia_named(mass), *mass_named(mass)]
     return {named.key: named for named in found}
+
+
+def balanced_by(way: str, loads: Loads) -> Named:
+    """The balancing load found in another way; where there is no friction, M_1,0 would be another name of M_1."""
+    unknown = load_named(loads.unknown)
+    alone = without_friction(unknown) if loads.friction else unknown
+    return Named(f"{unknown.key}_{way}", alone.symbol, unknown.unit)
+
+
+def inertia_named(mass: Mass) -> tuple[Named, Named, Named]:
+    """Inertia force and couple of a link, and by how far the force is displaced to replace both."""
+    link = mass.link
+    force, couple = Named(f"F_I{link}", f"F_{{I{link}}}", "N", True), Named(f"M_I{link}", f"M_{{I{link}}}", "N·m")
+    return force, couple, Named(f"h_{link}", f"h_{link}", "m")
 
 
 def mass_named(mass: Mass) -> tuple[Named, Named]:

@@ -12,7 +12,7 @@ from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Place, Reading, View
 from ...board.paper.marks import Dot, Role
 from ...foundation.slotted import replace
-from ...mechanism.asked.forces import quantities
+from ...mechanism.asked.forces import inertia_named
 from ...mechanism.loads import Mass
 from ...names import At, Named, alpha, ascii_key
 from ...plane import Points, Reals, nominal, unit
@@ -65,7 +65,7 @@ def _inertia(st: Statics, mass: Mass) -> None:
 def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
     """F_I = m a_S, with a_S read off the acceleration polygon; None where S has no acceleration."""
     board, link = st.board, mass.link
-    named = quantities(st.mech, st.loads)[f"F_I{link}"]
+    named, _, _ = inertia_named(mass)
     letters = f"{POLE[View.ACCELERATION]} {st.desk.tip_label(View.ACCELERATION, At(mass.centre))}"
     if abs(complex(nominal(tip))) < NO_LENGTH:
         board.remark(
@@ -92,7 +92,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
         line=letters,
         scale=board.scales[View.ACCELERATION].symbol,
         factor=f"m_{link}",
-        formula=worked(size.node, expr, "N"),
+        formula=worked(size.node, expr, "N") if board.writes else None,
     )
     st.keep(reading, size.value, each)
     return _settle(st, mass, named, vector, st.desk.where(At(mass.centre)))
@@ -101,7 +101,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
 def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
     """M_I = J α and its sense, against α; 0 where there is none."""
     board, link, turn = st.board, mass.link, st.desk.turns.get(alpha(mass.link))
-    named = quantities(st.mech, st.loads)[f"M_I{link}"]
+    _, named, _ = inertia_named(mass)
     rate: Reals = 0.0 if turn is None else turn.value
     sense = 0 if not mass.inertia else -int(np.sign(float(nominal(rate))))
     formula: Node | None = None
@@ -110,7 +110,8 @@ def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
         expr = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2") * magnitude(
             f"α_{link}", np.abs(rate), "rad/s^2"
         )
-        couple, formula = board.compute(named.symbol, expr, named.unit), worked(couple.node, expr, named.unit)
+        couple = board.compute(named.symbol, expr, named.unit)
+        formula = worked(couple.node, expr, named.unit) if board.writes else None
         way = TURN[sense]
         board.remark(
             Words(
@@ -131,7 +132,7 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
     board, link = st.board, mass.link
     s = st.desk.where(At(mass.centre))
     along = unit(force.vector)
-    named = _lever(st, mass)
+    _, _, named = inertia_named(mass)
     if not sense:
         st.keep(Reading(key=named.key, symbol=named.symbol, unit="m", scalar=0.0), 0.0)
         _draw_force(st, force.named.symbol, s, along)
@@ -150,14 +151,9 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
     _displace(st, mass, force, arm.value)
 
 
-def _lever(st: Statics, mass: Mass) -> Named:
-    """h_2 (m)."""
-    return quantities(st.mech, st.loads)[f"h_{mass.link}"]
-
-
 def _arm(st: Statics, mass: Mass, force: Acting, couple: Quantity) -> Quantity:
     """h = M_I / F_I."""
-    named = _lever(st, mass)
+    _, _, named = inertia_named(mass)
     expr = couple / magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
     arm = st.board.compute(named.symbol, expr, "m")
     st.keep(
@@ -166,7 +162,7 @@ def _arm(st: Statics, mass: Mass, force: Acting, couple: Quantity) -> Quantity:
             symbol=named.symbol,
             unit="m",
             scalar=float(nominal(arm.value)),
-            formula=worked(arm.node, expr, "m"),
+            formula=worked(arm.node, expr, "m") if st.board.writes else None,
         ),
         arm.value,
     )
@@ -190,7 +186,7 @@ def _displace(st: Statics, mass: Mass, force: Acting, arm: Reals) -> None:
     )
     _settle(st, mass, force.named, force.vector, at)
     _draw_force(st, force.named.symbol, at, along)
-    draw_arm(st, View.MECHANISM, _lever(st, mass).symbol, s, at, along)
+    draw_arm(st, View.MECHANISM, inertia_named(mass)[2].symbol, s, at, along)
 
 
 def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -> Acting:

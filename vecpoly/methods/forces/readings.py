@@ -24,7 +24,7 @@ _SIDE = {1: "ccw", -1: "cw", 0: ""}
 
 def keep_value(st: Statics, named: Named, value: Reals, expr: Expr) -> None:
     """A signed value with the formula from which it was computed."""
-    formula = worked(sym(named.symbol), expr, named.unit)
+    formula = worked(sym(named.symbol), expr, named.unit) if st.board.writes else None
     st.keep(
         Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula),
         value,
@@ -43,7 +43,7 @@ def keep_arm(st: Statics, named: Named, arm: Quantity) -> None:
             mm=float(nominal(arm.value / mu.value)),
             line=named.symbol,
             scale=st.board.scale_of(View.MECHANISM).symbol,
-            formula=worked(sym(named.symbol), arm, named.unit),
+            formula=worked(sym(named.symbol), arm, named.unit) if st.board.writes else None,
         ),
         arm.value,
     )
@@ -74,7 +74,7 @@ def keep_measured(st: Statics, named: Named, drawn: Drawn, sign: int = 1) -> Rea
             mm=float(nominal(on_paper.value)),
             line=drawn.letters,
             scale=st.scale.symbol,
-            formula=worked(sym(named.symbol), expr, named.unit),
+            formula=worked(sym(named.symbol), expr, named.unit) if st.board.writes else None,
         ),
         value,
     )
@@ -126,7 +126,7 @@ def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> N
             mm=None if zero else float(nominal(on_paper.value)),
             line=letters,
             scale=scale.symbol,
-            formula=_formula(st, force, on_paper),
+            formula=_formula(st, force, on_paper) if board.writes else None,
             remark=_couple_words(named, couple) if couple else None,
             acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None),
         ),

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...solution import Answer
-from .errors import NOTHING, sign_of
-from .tables import deviation_told
+from .errors import NOTHING
+from .tables import sign_of_deviation
 
 _SIGNS = ("", "°", NOTHING)
 
 
 def kinds(answers: Sequence[Answer]) -> list[list[Answer]]:
     """Those off by per cents, those off by degrees, and those that have no deviation: exactly they are zero."""
-    signs = [sign_of(deviation_told(one)) for one in answers]
+    signs = [sign_of_deviation(one) for one in answers]
     found = [[one for one, own in zip(answers, signs, strict=True) if own == sign] for sign in _SIGNS]
     return [kind for kind in found if kind]
 

@@ -12,7 +12,7 @@ from ...solution import Answer, Solution
 from ...words import Lang, Words
 from ..statement.groups import by_groups, parted
 
-_OF_SOLUTION = re.compile(r"[^=]*\^\((\d+)\)")  # above the symbol with which a line begins
+_OF_SOLUTION = re.compile(r".*\^\((\d+)\)")  # above the symbol with which a line begins
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +33,11 @@ class Part:
 def arranged(answers: Iterable[Answer]) -> tuple[Part, ...]:
     """What is shared, then one solution after the other; of a single one many by kinds, each in the order asked."""
     every = list(answers)
-    numbers = sorted({solution_of(one) for one in every} - {0})
-    if len(numbers) > 1:
-        parts = (Part(tuple(one for one in every if solution_of(one) == number), number) for number in (0, *numbers))
-        return tuple(part for part in parts if part.answers)
+    by_solution: dict[int, list[Answer]] = {}
+    for one in every:
+        by_solution.setdefault(solution_of(one), []).append(one)
+    if len(by_solution.keys() - {0}) > 1:
+        return tuple(Part(tuple(by_solution[number]), number) for number in sorted(by_solution))
     if not parted([one.key for one in every]):
         return (Part(tuple(every)),)
     return (Part(tuple(one for _, some in by_groups(every, key=lambda one: one.key) for one in some)),)
@@ -57,5 +58,15 @@ def solution_of(answer: Answer) -> int:
     if isinstance(answer.rel, Named) and answer.rel.solution:
         return answer.rel.solution
     line = answer.reading.formula
-    found = _OF_SOLUTION.match(plain(line)) if isinstance(line, Row) else None
+    found = _OF_SOLUTION.match(_begins(line)) if isinstance(line, Row) else None
     return int(found[1]) if found else 0
+
+
+def _begins(line: Row) -> str:
+    """What stands before the first equality sign."""
+    says = ""
+    for item in line.items:
+        says += plain(item)
+        if "=" in says:
+            break
+    return says.partition("=")[0]

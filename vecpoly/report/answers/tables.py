@@ -202,19 +202,23 @@ def _plain(answer: Answer, size: float, lang: Lang) -> str:
 
 
 def deviation_told(answer: Answer) -> str:
-    """Of the two values as they stand beside it, in per cent, of an angle in degrees; nothing where a formula gave the
-    exact value, and of an exact value of zero."""
-    angular = answer.reading.unit == "deg"
-    if answer.computed or answer.is_place or not isfinite(answer.relative_deviation if not angular else answer.drawn):
+    """Of the two values as they stand beside it, in per cent, of an angle in degrees."""
+    if (sign := sign_of_deviation(answer)) == NOTHING:
         return NOTHING
-    exact = clean(answer)
-    if not angular and not exact:
-        return NOTHING
-    told = exact_number(answer, exact)
+    angular, told = bool(sign), exact_number(answer, clean(answer))
     (drawn, _), (size, _) = read_back(drawn_number(answer)), read_back(told)
     text = f"{drawn - size:+.{places_of(told)}f}" if angular else f"{100 * (drawn - size) / abs(size):+.2f}"
     text = text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")
-    return f"{text}°" if angular else text
+    return text + sign
+
+
+def sign_of_deviation(answer: Answer) -> str:
+    """What stands behind it: ° of an angle, nothing of per cents; NOTHING where there is none, for a formula gave the
+    exact value, or that is zero."""
+    angular = answer.reading.unit == "deg"
+    if answer.computed or answer.is_place or not isfinite(answer.relative_deviation if not angular else answer.drawn):
+        return NOTHING
+    return "°" if angular else "" if clean(answer) else NOTHING
 
 
 def way(answer: Answer, problem: Problem, lang: Lang) -> str:

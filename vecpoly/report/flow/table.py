@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate
 
 from reportlab.platypus.doctemplate import FrameBreak
 from reportlab.platypus.flowables import Flowable
@@ -38,13 +39,13 @@ _PAGE_ROWS = 40  # for which a page has room
 
 @dataclass(frozen=True, slots=True)
 class _Set:
-    """The table in a column: widths of its own columns (mm), header and rows in lines; in pt, from the top to the
-    first row, and the height of each."""
+    """The table in a column: widths (mm), header and rows in lines; in pt how tall they are, the top, each row."""
 
     widths: tuple[float, ...]
     head: _Row
     body: tuple[_Row, ...]
     points: Columns
+    tall: tuple[float, ...]
     top: float = 0.0
     heights: tuple[float, ...] = ()
 
@@ -108,13 +109,14 @@ class DataTable(Block):
         rows = [[cells(text, em, chinese, False) for text in row] for row in self.rows]
         widths = self._columns(width / MM, (header, *rows), self._points(self.rows))
         head, body = self._lines(header, widths), tuple(self._lines(row, widths) for row in rows)
-        return self._measured(_Set(widths, head, body, self._points(unbroken(self.rows, body))))
+        tall = tuple(map(self._tall, (head, *body)))
+        return self._measured(_Set(widths, head, body, self._points(unbroken(self.rows, body)), tall))
 
     def _measured(self, found: _Set) -> _Set:
         caption = CAPTION.leading + 2.0 if self.caption or self._continued else 0.0
-        top = caption + _HEAVY + self._height(found.head) + _FINE
-        heights = (self._height(row) + self._ruling.white(self._before, n) for n, row in enumerate(found.body))
-        return replace(found, top=top, heights=tuple(heights))
+        head, *rows = map(self._height, (found.head, *found.body), found.tall)
+        heights = (row + self._ruling.white(self._before, n) for n, row in enumerate(rows))
+        return replace(found, top=caption + _HEAVY + head + _FINE, heights=tuple(heights))
 
     def _points(self, rows: Sequence[Sequence[str]]) -> Columns:
         return aligned_columns(rows, self.align, self.groups, self.style.em, self.lang == "zh")
@@ -141,9 +143,11 @@ class DataTable(Block):
         rooms = (width - 2 * PAD + 1e-3 for width in widths)
         return tuple(tuple(break_lines(p, room, self.style.em)) for p, room in zip(row, rooms, strict=True))
 
-    def _height(self, row: _Row) -> float:
-        tallest = max((sum(map(self._advance, cell)) for cell in row), default=0.0)
-        return max(tallest, self.style.leading) + 2 * self._vertical
+    def _height(self, row: _Row, tall: float) -> float:
+        return tall + 2 * self._vertical
+
+    def _tall(self, row: _Row) -> float:
+        return max((self.style.leading, *(sum(map(self._advance, cell)) for cell in row)))
 
     def _advance(self, line: Line) -> float:
         return max(self.style.leading, line.ascent * MM + line.descent * MM + 2.0)
@@ -153,10 +157,8 @@ class DataTable(Block):
         if height < self.undivided and len(self.rows) <= _PAGE_ROWS:
             return []
         found = self.set_in(width)
-        used, count = found.top + _HEAVY, 0
-        while count < len(self.rows) and used + found.heights[count] <= height:
-            used += found.heights[count]
-            count += 1
+        ends = accumulate(found.heights, initial=found.top + _HEAVY)
+        count = max(sum(end <= height for end in ends) - 1, 0)
         count = min(count, len(self.rows) - _LEAST_ROWS)  # no row less than fit, beyond what goes on must have
         count = self._ruling.before(self._before + count, self._before + _LEAST_ROWS) - self._before
         if count < (_MANY_ROWS if self.whole else _LEAST_ROWS):
@@ -175,11 +177,9 @@ class DataTable(Block):
         part._continued, part._vertical = self._continued or start > 0, self._vertical
         part.goal = self.goal if start == 0 else ""
         part._before, part._ruling = self._before + start, self._ruling
-        part._found = {
-            width: part._measured(
-                replace(found, body=found.body[start:end], points=part._points(unbroken(rows, found.body[start:end])))
-            )
-        }
+        body, tall = found.body[start:end], (found.tall[0], *found.tall[1:][start:end])
+        own = replace(found, body=body, points=part._points(unbroken(rows, body)), tall=tall)
+        part._found = {width: part._measured(own)}
         return part.made_of(self, first=start == 0)
 
     def draw(self) -> None:
@@ -225,7 +225,7 @@ class DataTable(Block):
         self, ink: Ink, row: _Row, widths: Sequence[float], left: float, top: float, align: str,
         shifts: Sequence[float | None] = (), header: bool = False,
     ) -> float:  # fmt: skip
-        height, tag = self._height(row), Tag(Role.ROW, self.tag)
+        height, tag = self._height(row, self._tall(row)), Tag(Role.ROW, self.tag)
         x = left
         for cell, width, side, shift in zip(row, widths, align, shifts or (None,) * len(row), strict=True):
             marks = self._marks(tag, header)

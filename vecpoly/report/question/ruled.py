@@ -23,9 +23,9 @@ NONE, FAINT = "—", (0.95, 0.95, 0.95)  # of a cell in which nothing is written
 class RuledTable(DataTable):
     """A table whose empty cells are filled in by hand; a row with nothing but its first text is the name of a group."""
 
-    def _height(self, row: tuple[tuple[Line, ...], ...]) -> float:
+    def _height(self, row: tuple[tuple[Line, ...], ...], tall: float) -> float:
         """As high as a hand needs it; a row of several lines is higher, one that nobody writes in lower."""
-        return max(super()._height(row), NAME if is_name(_cells(row)) else ROW)
+        return max(super()._height(row, tall), NAME if is_name(_cells(row)) else ROW)
 
     def _lines(self, row: Sequence[Sequence[Cell]], widths: Sequence[float]) -> tuple[tuple[Line, ...], ...]:
         """The name of a group runs on over the empty cells behind it; a cell that stays blank has no text."""

@@ -15,7 +15,7 @@ from ....board.board import NO_LENGTH
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....errors import EquilibriumError
-from ....mechanism.asked.forces import load_named, quantities
+from ....mechanism.asked.forces import balanced_by, load_named
 from ....mechanism.loads import Force, Load, Moment
 from ....names import At, Named
 from ....plane import Reals, nominal, unit
@@ -125,7 +125,7 @@ def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]
     if isinstance(load, Moment):
         _balance_pair(st, pane, tips, load, moments)
         return
-    named, plain = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load)
+    named, plain = balanced_by("lever", st.loads), load_named(load)
     if load.against:
         arm = thrust_arm(st, pane, tips, load, 1)
     else:
@@ -141,7 +141,7 @@ def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]
 
 def _balance_pair(st: Statics, pane: Pane, tips: Tips, load: Moment, moments: list[Sum]) -> None:
     """The pair is drawn as it turns, so that its size is positive and the moment has its sense."""
-    named, plain, pair = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load), pair_of(st, load.link)
+    named, plain, pair = balanced_by("lever", st.loads), load_named(load), pair_of(st, load.link)
     arm = pair_arm(st, tips, pair, 1) if pair is not None else None
     if pair is None or arm is None or not arm.way:
         raise _idle(load)

@@ -8,7 +8,7 @@ import numpy as np
 from ....algebra.formula import sym
 from ....algebra.quantity import Quantity, Sum, magnitude
 from ....board.construction import View
-from ....mechanism.asked.forces import quantities
+from ....mechanism.asked.forces import balanced_by
 from ....mechanism.loads import Load, Moment
 from ....names import Named
 from ....plane import Reals, nominal
@@ -36,7 +36,7 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
     Raises EquilibriumError where the balancing load does no work in this position.
     """
     load = load or st.unknown
-    named = quantities(st.mech, st.loads)[f"{load.name}_power"]
+    named = balanced_by("power", st.loads)
     st.board.step(
         Words(
             "由虚功率原理：不计摩擦时，全部外力与惯性力的功率之和 $Σ$ $F v$ + $Σ$ $M ω$ = 0；"

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 
@@ -126,25 +125,26 @@ def _options(force: Acting, largest: float, presses: bool | None) -> tuple[Arrow
 def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]:
     """One option of each force, so that the middles and far ends of the arrows are as free as can be."""
     flat = [arrow for pair in options for arrow in pair]
-    middle = np.array([(a.start + a.end) / 2 for a in flat])
-    far = np.array([max(a.start, a.end, key=lambda z: np.abs(z - body).min()) for a in flat])
-    spots = np.stack([middle, far])
-    alone = 0.7 * np.minimum(*(np.abs(z[:, None] - body).min(axis=1) for z in (middle, far)))
-    apart = np.abs(middle[:, None, None] - spots[None]).min(
-        axis=1
-    )  # of each arrow's middle to the middle and far end of another
-    starts = np.cumsum([0, *(len(pair) for pair in options[:-1])])
+    places = np.array([((a.start + a.end) / 2, a.start, a.end) for a in flat]).T
+    middle, *ends = np.abs(places[..., None] - body).min(axis=2)  # mm to the body
+    far = np.where(ends[0] >= ends[1], places[1], places[2])
+    alone = 0.7 * np.minimum(middle, np.maximum(*ends))
+    # of each arrow's middle to the middle and far end of another
+    apart = np.abs(places[0, :, None, None] - np.stack([places[0], far])).min(axis=1)
+    np.fill_diagonal(apart, np.inf)
     cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.amiss else 0.0) for arrow in flat])
 
     def freedom(choices: np.ndarray) -> np.ndarray:
-        between = apart[choices[:, :, None], choices[:, None, :]] + np.where(np.eye(len(options)), np.inf, 0.0)
-        clear = np.minimum(np.minimum(between.min(axis=2), alone[choices]), CLEAR)
+        between = apart[choices[:, :, None], choices[:, None, :]].min(axis=2)
+        clear = np.minimum(np.minimum(between, alone[choices]), CLEAR)
         return np.asarray((clear - cost[choices]).sum(axis=1))
 
+    counts = [len(pair) for pair in options]
+    starts = np.cumsum([0, *counts[:-1]])
     if len(options) > MANY:
-        best = _one_by_one(starts, [len(pair) for pair in options], freedom)
+        best = _one_by_one(starts, counts, freedom)
     else:
-        choices = starts + np.array(list(product(*(range(len(pair)) for pair in options))))
+        choices = starts + np.indices(counts).reshape(len(counts), -1).T
         best = choices[int(np.argmax(freedom(choices)))]
     return [flat[i] for i in best]
 
