@@ -17,15 +17,21 @@ NEAR = 1e-9  # of the rocker: a point on a line
 def least_angle(a: float, b: float, c: float, d: float) -> float:
     """γ_min (rad) of a crank-rocker a, b, c, d: its crank lies on the line of the frame.
 
-    cos μ = (b² + c² − (d ∓ a)²) / (2 b c), γ = min(μ, π − μ).
+    tan² (μ/2) = (s² − (b − c)²) / ((b + c)² − s²), s = |d ∓ a|; γ = min(μ, π − μ).
     """
     return float(np.minimum(*extreme_angles(a, b, c, d))) if b * c else nan
 
 
 def extreme_angles(a: Any, b: Any, c: Any, d: Any) -> tuple[Any, Any]:
     """γ (rad) with the crank on the line of the frame: along it, and the other way; of one linkage or of many."""
-    near, far = (np.arccos(np.clip((b * b + c * c - side**2) / (2 * b * c), -1.0, 1.0)) for side in (d - a, d + a))
+    near, far = (_opposite(side, b, c) for side in (d - a, d + a))
     return np.minimum(near, pi - near), np.minimum(far, pi - far)
+
+
+def _opposite(side: Any, b: Any, c: Any) -> Any:
+    """The angle opposite a side of a triangle by the tangent of its half: a cosine of nearly 1 has no digits left."""
+    low, high = (side - b + c) * (side + b - c), (b + c - side) * (b + c + side)
+    return 2 * np.arctan2(np.sqrt(np.maximum(low, 0.0)), np.sqrt(np.maximum(high, 0.0)))
 
 
 def useful(a_pin: Any, d_pin: complex, c1: complex, c2: complex) -> Any:
