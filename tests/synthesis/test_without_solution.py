@@ -86,8 +86,10 @@ NONE = {  # data of each method that can reject all it finds, and what is asked
         "DC, CE, AB, BC",
     ),
 }
-RANGED = ("by AD", "by AB", "by a limit", "by the offset", "by lines", "by a dead centre", "by half a turn")
-RANGED += ("by two positions", "by places of a slider")
+RANGED = (
+    *("by AD", "by AB", "by a limit", "by the offset", "by lines", "by a dead centre", "by half a turn"),
+    *("by two positions", "by places of a slider"),
+)
 
 
 def text(name: str) -> str:
