@@ -6,6 +6,7 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from importlib import import_module
 
 import numpy as np
@@ -70,6 +71,7 @@ def member(one: Family, seed: int, number: int) -> str:
     return one.make(np.random.default_rng([seed, number]))
 
 
+@cache
 def families() -> tuple[Family, ...]:
     """All registered families, by name."""
     here = import_module(__package__)

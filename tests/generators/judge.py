@@ -117,7 +117,7 @@ def _nameless(solution: Solution) -> str:
 def _disagreeing(solution: Solution) -> str:
     """The first quantity of which the exact hand draws something else than the oracle finds."""
     answers = [one for one in solution.answers.values() if not one.undefined]
-    near = slack(solution)
+    near: dict[str, float] | None = None
     subject = solution.problem.subject
     floor = natural(subject) if isinstance(subject, Mechanism) else dict(getattr(subject, "likely", {}))
     floor |= over_a_period(solution.problem)
@@ -126,6 +126,9 @@ def _disagreeing(solution: Solution) -> str:
         size = largest(solution, unit, floor)
         if unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
             size = max([size, *(other.exact**2 for other in answers if other.reading.unit == "rad/s")])
+        if gap(one) <= AGREE * size:
+            continue
+        near = slack(solution) if near is None else near
         if not gap(one) <= AGREE * size + near.get(one.key, 0.0):
             drawn, exact = (
                 (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)

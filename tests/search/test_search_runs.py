@@ -100,10 +100,14 @@ def test_a_fault_of_a_search_file_is_told_in_both_languages(tmp_path: Path, old:
 
 def test_the_command_writes_a_problem_that_can_be_drawn(tmp_path: Path) -> None:
     out = tmp_path / "found.yaml"
-    done = CliRunner().invoke(app, ["search", "search-dwell", "--candidates", "20000", "-j", "1", "-o", str(out)])
+    done = CliRunner().invoke(
+        app, ["search", "search-dwell", "--candidates", "20000", "-j", "1", "-o", str(out), "--lang", "en"]
+    )
     assert done.exit_code == 0, done.output
     assert "swing" in done.output
-    lengths = {bare(one.symbol): one.text for one in load(out).given.lengths}
+    lengths = {bare(one.symbol): one.text for one in load(out).given.lengths if one.words is None}
+    beside = [bare(one.words.en) for one in load(out).given.lengths if one.words is not None]
+    assert len(beside) == 1 and beside[0][1:] in done.output  # where the rod's pin lies on the coupler
     assert "l_AB" in lengths and all(f"{key} " in done.output and text in done.output for key, text in lengths.items())
     drawn = solve(load(out), repeats=0)
     assert not drawn.suspect and "omega_5" in drawn.answers

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import vecpoly
 from tests.each import Later, each
 from tests.laws import few
 from vecpoly import loads
@@ -62,3 +63,11 @@ def test_nudged_data_are_the_data_but_for_their_last_places(name: str) -> None:
     near = nudged_data(design, np.random.default_rng(1))
     assert near != design and type(near) is type(design)
     assert near.given() == design.given()
+
+
+def test_the_least_angle_of_links_ten_thousand_times_the_frame_keeps_its_digits() -> None:
+    data = {"AD": "20 mm", "AB": "60 mm", "K": "1.34", "phi_1": "347 deg", "psi_1": "49 deg"}
+    found = vecpoly.problem({"id": "t", "title": "t", "synthesis": "drag-link", "data": data, "find": ["gamma_min"]})
+    answer = solve(found, by="exact", repeats=0).answers["gamma_min"]  # by a cosine of nearly 1 it was 10⁻⁸ of it off
+    assert answer.drawn == pytest.approx(answer.exact, rel=1e-10)
+    assert answer.exact == pytest.approx(0.007100280226, rel=1e-10)

@@ -51,6 +51,12 @@ NONE = {  # data of each method that can reject all it finds, and what is asked
         "{AD: 100 mm, function: log10(x), x: [1, 2], phi: [194 deg, 278 deg], psi: [52 deg, 293 deg]}",
         "AB, BC, epsilon_max",
     ),
+    "by two positions": (
+        "positions",
+        '{poses: ["(0, 0) mm at 0 deg", "(26, 38) mm at 46 deg"], frame: {A: [10 mm, -12 mm], D: [3 mm, -30 mm]}, '
+        "B: on x = -79 mm, C: on y = 39 mm}",
+        "AB, BC, CD, AD",
+    ),
     "by three positions": (
         "positions",
         f'{{poses: ["(0, 0) mm at 0 deg", {POSES}], body: {{B: [0 mm, -5 mm], C: [46 mm, 9 mm]}}}}',
@@ -80,7 +86,10 @@ NONE = {  # data of each method that can reject all it finds, and what is asked
         "DC, CE, AB, BC",
     ),
 }
-RANGED = ("by AD", "by AB", "by a limit", "by the offset", "by lines", "by a dead centre", "by half a turn")
+RANGED = (
+    *("by AD", "by AB", "by a limit", "by the offset", "by lines", "by a dead centre", "by half a turn"),
+    *("by two positions", "by places of a slider"),
+)
 
 
 def text(name: str) -> str:
@@ -136,7 +145,7 @@ def test_within_the_range_told_there_is_a_solution_and_beyond_its_ends_none(name
 
 
 def _solves(name: str, key: str, value: float, unit: str) -> bool:
-    written = re.sub(rf"\b{key}: -?[\d.]+ {unit}", f"{key}: {value:.10g} {unit}", text(name))
+    written = re.sub(rf"(\b{key}: (?:on [xy] = )?)-?[\d.]+ {unit}", rf"\g<1>{value:.10f} {unit}", text(name))
     try:
         return solvable(design_of(vecpoly.loads(written)))
     except VecpolyError:

@@ -115,6 +115,13 @@ def test_slips_that_no_answer_shows_are_told_as_a_marker_tells_them() -> None:
     assert not any(word in hidden.en + hidden.zh for word in ("mechanism", "inversion", "rho_min", "forwards"))
 
 
+def test_a_slip_that_shows_on_one_figure_is_not_told_to_show_nowhere_for_another_figure() -> None:
+    found = with_slips(hidden=frozenset({Slip(Mistake.REVERSED, "mechanism rho_min:e")}))
+    assert any("e is laid off the wrong way" in words.en for words in demoted(found))
+    found = replace(found, shown=frozenset({Slip(Mistake.REVERSED, "e")}))
+    assert not any("e is laid off the wrong way" in words.en for words in demoted(found))
+
+
 @pytest.mark.parametrize(("count", "en"), [(1, "1 pair of slips gives"), (2, "2 pairs of slips give the")])
 def test_one_pair_of_slips_is_one(count: int, en: str) -> None:
     a, b, c = (Slip(mistake, "v_B") for mistake in (Mistake.DROPPED, Mistake.HALVED, Mistake.DOUBLED))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -19,19 +20,25 @@ Curve = Callable[[float], float]
 
 
 def halved(curve: Curve, low: float, high: float, times: int) -> float:
-    """The zero between two trials of different sign, by halving."""
+    """The zero between two trials of different sign, by halving, at most down to two neighbouring numbers."""
     above = curve(low) > 0
     for _ in range(times):
         middle = (low + high) / 2
+        if middle in (low, high):
+            break
         low, high = (middle, high) if (curve(middle) > 0) == above else (low, middle)
     return (low + high) / 2
 
 
-def top(curve: Curve, low: float, high: float, times: int) -> float:
-    """The place of the one top between two trials, by the golden section."""
+def top(curve: Callable[[Any], Any], low: float, high: float, times: int) -> float:
+    """The place of the one top between two trials, by the golden section; the curve is read at an array of places."""
     for _ in range(times):
         left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        low, high = (left, high) if curve(left) < curve(right) else (low, right)
+        at_left, at_right = curve(np.array([left, right]))
+        narrower = (left, high) if at_left < at_right else (low, right)
+        if narrower == (low, high):
+            break
+        low, high = narrower
     return (low + high) / 2
 
 

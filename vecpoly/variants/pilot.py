@@ -35,7 +35,7 @@ ENOUGH = 0.1  # of the draws
 class Pilot:
     """The standard of a problem's variants; how many of the draws pass it, and how many fail on what (of one draw).
 
-    room: how many students can be told apart, about.
+    room: how many students can be told apart, about. shown: the slips that some answer shows.
     """
 
     standard: Standard
@@ -44,6 +44,7 @@ class Pilot:
     asked: tuple[str, ...]
     slips: int
     room: float = inf
+    shown: frozenset[Slip] = frozenset()
 
 
 def pilot(problem: Problem) -> Pilot:
@@ -73,7 +74,8 @@ def pilot(problem: Problem) -> Pilot:
     found = room(good, problem.gate.apart, ATTEMPTS)
     if isfinite(found):
         found = min(found, passed * prod(one.count for one in problem.ranges))  # no more than sets of values pass
-    return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips, room=found)
+    shown = frozenset(counted.slips) - standard.hidden
+    return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips, room=found, shown=shown)
 
 
 def _whole(trial: Trial) -> Trial:

@@ -81,8 +81,9 @@ def demoted(pilot: Pilot) -> Iterator[Words]:
             f"demoted to follow-through (in most variants too short, or drawn too badly, to be held against "
             f"the exact value): {names}",
         )
-    if hidden := sorted(pilot.standard.hidden, key=str):
-        said = list(dict.fromkeys(map(said_of, hidden)))  # of one mistake on several figures once
+    shown = {*map(said_of, pilot.shown)}  # on another figure
+    said = dict.fromkeys(one for one in map(said_of, sorted(pilot.standard.hidden, key=str)) if one not in shown)
+    if said:
         zh, en = "、".join(bare(one.zh) for one in said), "; ".join(bare(one.en) for one in said)
         yield Words(f"读数上看不出的错误：{zh}", f"slips that no answer shows: {en}")
     if pilot.standard.twins:

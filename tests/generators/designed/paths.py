@@ -11,11 +11,11 @@ from ..family import family
 from .written import first, off, task
 
 Random = np.random.Generator
-PLACES = 100_001
+PLACES = 20_001
 
 
 def path_of(solution: Solution) -> str:
-    """Length and width of the path between the two angles of the crank, from a hundred thousand places."""
+    """Length and width of the path between the two angles of the crank, from twenty thousand places."""
     given = {key: float(value) for key, value in (part.split("=") for part in _told(solution))}
     phi = np.radians(np.linspace(given["low"], given["high"], PLACES))
     b = given["AB"] * np.exp(1j * phi)

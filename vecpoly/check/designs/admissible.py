@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import groupby
-from math import degrees, inf, pi
+from math import atan, degrees, inf, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,7 +52,7 @@ def _tried(design: Design, named: Named, given: Datum) -> Iterator[tuple[Places,
     """The places of a datum to look at (SI), in order; the ends of a row that goes on as far as they do."""
     most = LONGEST * design.size
     if isinstance(given, OnLine):
-        yield np.linspace(-most, most, 8 * TRIED + 1), (-inf, inf)
+        yield design.size * np.tan(np.linspace(-atan(LONGEST), atan(LONGEST), 2 * TRIED + 1)), (-inf, inf)
     elif named.unit == "mm":
         yield np.geomspace(most / LONGEST**2 / 10, most, TRIED), (-inf, inf)
     elif named.unit == "deg":

@@ -99,6 +99,10 @@ def _tell(found: Found, lang: Lang) -> None:
     for row in _linkage(found.problem):
         add(made, row)
     show(made)
+    for length in found.problem.given.lengths:
+        if length.words is not None:  # a point beside its link
+            told = bare(length.words.of(lang))
+            typer.echo(f"{told[0].upper()}{told[1:]}{Words('。', '.').of(lang)}")
 
 
 def _linkage(problem: Problem) -> Iterable[tuple[str, str]]:
@@ -106,4 +110,5 @@ def _linkage(problem: Problem) -> Iterable[tuple[str, str]]:
     for letter, at in problem.mechanism.frame.items():
         yield letter, f"({number(1e3 * at.real)}, {number(1e3 * at.imag)}) mm"
     for length in problem.given.lengths:
-        yield bare(length.symbol), length.text
+        if length.words is None:
+            yield bare(length.symbol), length.text

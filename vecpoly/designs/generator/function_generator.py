@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import pairwise
-from math import cos, degrees, isclose, isfinite
+from math import cos, degrees, isclose
 from typing import Any, ClassVar
 
+import numpy as np
 from pydantic import model_validator
 
 from ...devices.base import Angle, Length
@@ -83,9 +83,9 @@ class FunctionGenerator(Design):
         """Ranges of some extent, in which the function has a value."""
         assert self.x is not None and self.phi is not None and self.psi is not None
         ends = [self.y(at.si) for at in self.x]
-        between = [self.y(self.x_at(k / LOOKED)) for k in range(LOOKED + 1)]
-        jumps = max((abs(b - a) for a, b in pairwise(between)), default=0.0) > abs(ends[1] - ends[0])
-        if not all(map(isfinite, between)) or jumps or ends[0] == ends[1] or self.x[0].si == self.x[1].si:
+        between = np.broadcast_to(self.y(self.x_at(np.arange(LOOKED + 1) / LOOKED)), LOOKED + 1)  # of a number, too
+        jumps = float(np.abs(np.diff(between)).max()) > abs(ends[1] - ends[0])
+        if not np.isfinite(between).all() or jumps or ends[0] == ends[1] or self.x[0].si == self.x[1].si:
             raise FaultError(
                 Words(
                     f"函数 {function} 在 x = {self.x[0].text} 至 {self.x[1].text} 上应处处有值、没有跳跃，"

@@ -22,7 +22,7 @@ from .written import Corresponding, on, said
 
 AHEAD_C, AHEAD_B = Named("delta_C", "δ_{C}", "deg"), Named("delta_B", "δ_{B}", "deg")
 
-_VARIED = (AB,)
+_VARIED = (AB, Named("guide", "guide", "mm"))
 
 
 class AnglePairs(Design):

@@ -21,6 +21,7 @@ from .written import Place, Pose, on, said
 _BODY = "S"
 MANY = 4  # positions: neither end of a bar is given, and how many linkages there are comes out
 _MOVING = {"A": "B", "D": "C"}
+_VARIED = tuple(Named(letter, letter, "mm") for letter in "ADBC")  # lines
 
 
 class Positions(Design):
@@ -30,6 +31,7 @@ class Positions(Design):
     onto: the position in which the body is kept where it is taken for the frame.
     """
 
+    varied: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "positions"
     poses: tuple[Pose, ...]
     body: dict[str, Place] = Field(default_factory=dict)

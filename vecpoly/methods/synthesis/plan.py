@@ -31,7 +31,8 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
     """Find the linkages on a board; the sketch's figures tell the scale, its candidates their numbers."""
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         scale, ideal = _ideal(problem, paper)
-        draft = _draw(problem, by, scale, ideal, amended)
+        same = by.is_ideal and amended == AS_DRAWN and ideal.numbers == _numbers(ideal)
+        draft = ideal if same else _draw(problem, by, scale, ideal, amended)
     board, keys = draft.board, [ask.rel.key for ask in problem.asks]
     steps, told = evaluated(board.steps, board.acts, {key: board.readings[key] for key in keys})
     construction = Construction(
@@ -56,7 +57,8 @@ def _ideal(problem: Problem, paper: Paper) -> tuple[float, Draft]:
     """The scale that a sketch tells, and what an ideal hand draws at it; figures on which angles alone are read are
     drawn larger as far as those on which lengths are read are no smaller for it."""
     found = _sized(problem, paper, LARGER)
-    if not any(isinstance(at, Pane) and at.name.startswith(NAME) for at in found[1].board.scales):
+    of_angles = any(isinstance(at, Pane) and at.name.startswith(NAME) for at in found[1].board.scales)
+    if not of_angles or _given(problem):
         return found
     plain = _sized(problem, paper, 0)
     fewer = (_sized(problem, paper, steps) for steps in range(LARGER - 1, 0, -1))
@@ -104,13 +106,17 @@ def _numbers(sketch: Draft) -> tuple[int, ...]:
     return tuple(order.index(i) + 1 for i in range(len(keys)))
 
 
+def _given(problem: Problem) -> float | None:
+    return problem.scales.of(SHEET.mu)
+
+
 def _guess(problem: Problem) -> float:
-    return problem.scales.of(SHEET.mu) or _design(problem).size / 80
+    return _given(problem) or _design(problem).size / 80
 
 
 def _scale(problem: Problem, sketch: Draft, at: float, paper: Paper) -> float:
     """As given; else the round scale with which the figures of a sketch at some scale fill their sheets."""
-    given = problem.scales.of(SHEET.mu)
+    given = _given(problem)
     if given is not None:
         return given
     return paper.compose(sketch.figures({}), {SHEET: at}, {}).get(SHEET, at)

@@ -6,13 +6,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cos, isclose, nan, sin, sqrt, tan
+from math import cos, isclose, sin, sqrt, tan
+from typing import Any
 
 from ...designs.crank_rocker import CrankRocker
 from ...designs.verdict import Verdict
 from ...foundation.bounds import below
 from .chord import SIDES, Chord
-from .four_bar import NEAR, extreme_angles, found
+from .four_bar import NEAR, found, useful_angles
 from .reach import out_of_reach
 from .registry import Linkage, synthesizes
 from .sweep import crossings, summits
@@ -41,7 +42,7 @@ def _by_coupler(chord: Chord, b: float) -> Iterator[Linkage]:
     square = (chord.s**2 - (2 * b * sin(chord.theta / 2)) ** 2) / (2 * cos(chord.theta / 2)) ** 2
     if square > 0 and below(chord.s / 2, b):
         sides = SIDES if chord.theta > 0 else SIDES[:1]
-        yield from (chord.at(chord.pivot(sqrt(square), b, side)) for side in sides)
+        yield from (chord.at(complex(chord.pivot(sqrt(square), b, side))) for side in sides)
 
 
 def _carried(design: CrankRocker, chord: Chord) -> Iterator[tuple[complex, Verdict | None]]:
@@ -84,13 +85,11 @@ def _by_angle(design: CrankRocker, chord: Chord) -> Iterator[Linkage]:
     """A with a given least transmission angle, or with the greatest."""
     for side in SIDES if chord.theta else SIDES[:1]:
 
-        def both(t: float, side: int = side) -> tuple[float, float]:
-            one = chord.near(t, side)
-            lengths = (one.values[key] for key in ("AB", "BC", "CD", "AD"))
-            return extreme_angles(*lengths) if one.verdict is Verdict.VALID else (nan, nan)
+        def both(t: Any, side: int = side) -> tuple[Any, Any]:
+            return useful_angles(chord.near(t, side), 0j, *chord.ends)
 
         at = crossings(both, design.gamma_min.si) if design.gamma_min is not None else summits(both)
-        yield from (chord.near(t, side) for t in at)
+        yield from (chord.at(complex(chord.near(t, side))) for t in at)
 
 
 def _by_limit(design: CrankRocker) -> Iterator[Linkage]:

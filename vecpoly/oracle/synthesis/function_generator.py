@@ -5,10 +5,11 @@ cos φ = P0 cos ψ + P1 cos(ψ − φ) + P2, with P0 = c/a, P1 = −c/d, P2 = (a
 
 from __future__ import annotations
 
-from cmath import exp, phase
+from cmath import exp
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import cos, degrees, inf, pi, sqrt
+from typing import Any
 
 import numpy as np
 
@@ -43,13 +44,12 @@ class _Signed:
         slack = _DEAD * (self.b + abs(self.c))
         return abs(self.b - abs(self.c)) - slack <= base <= self.b + abs(self.c) + slack
 
-    def output(self, phi: float, side: int) -> float:
-        """ψ with C on this side of BD (1: on the left), in (−π, π]."""
-        b = self.a * exp(1j * phi)
-        base = b - self.d
+    def output(self, phi: Any, side: int) -> Any:
+        """ψ with C on this side of BD (1: on the left), in (−π, π], at one φ or at many."""
+        base = self.a * np.exp(1j * phi) - self.d
         cosine = (abs(base) ** 2 + self.c**2 - self.b**2) / (2 * abs(base) * abs(self.c))
-        at_d = exp(-1j * side * np.arccos(min(1.0, max(-1.0, cosine))))
-        return phase(base / abs(base) * at_d * (1 if self.c > 0 else -1))
+        at_d = np.exp(-1j * side * np.arccos(np.clip(cosine, -1.0, 1.0)))
+        return np.angle(base / abs(base) * at_d * (1 if self.c > 0 else -1))
 
 
 @synthesizes(FunctionGenerator)
@@ -109,11 +109,11 @@ def _side(b: complex, c: complex, d: float) -> int:
     return 1 if ((d - b).conjugate() * (c - b)).imag > 0 else -1
 
 
-def _error(design: FunctionGenerator, found: _Signed, side: int) -> Callable[[float], float]:
-    """How far the output link is from where the function has it (rad), at a share of the range."""
+def _error(design: FunctionGenerator, found: _Signed, side: int) -> Callable[[Any], Any]:
+    """How far the output link is from where the function has it (rad), at a share of the range, or at many."""
 
-    def off(share: float) -> float:
+    def off(share: Any) -> Any:
         phi, psi = design.angles_at(share)
-        return abs(phase(exp(1j * (found.output(phi, side) - psi))))
+        return abs(np.angle(np.exp(1j * (found.output(phi, side) - psi))))
 
     return off

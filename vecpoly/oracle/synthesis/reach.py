@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import groupby, pairwise
+from itertools import groupby
 from math import asin, cos, degrees, sin
+from operator import itemgetter
+from typing import Any
 
 import numpy as np
 
 from ...designs.admitted import between
 from ...designs.crank_rocker import LEAST, CrankRocker
-from ...designs.verdict import Verdict
 from ...errors import AssemblyError
 from ...words import Words
 from .chord import SIDES, Chord
+from .four_bar import useful
 from .registry import Linkage
 
 NEAR_END = 1e-7  # of a range that is open
@@ -117,18 +119,20 @@ def _datum(design: CrankRocker) -> tuple[str, str, str, Callable[[Linkage], floa
 def _ranges(chord: Chord, side: int, of: Callable[[Linkage], float]) -> Iterator[tuple[float, float]]:
     """The least and the greatest of a number over each row of linkages with A on one side of the chord."""
 
-    def valid(t: float) -> bool:
-        return chord.tried(t, side).verdict is Verdict.VALID
+    def valid(t: Any) -> Any:
+        return useful(chord.tried(t, side), 0j, *chord.ends)
 
-    places = [NEAR_END, *(float(t) for t in np.linspace(0, 1, 402)[1:-1]), 1 - NEAR_END]
-    edges = [_edge(valid, one, other) for one, other in pairwise(places) if valid(one) != valid(other)]
-    for good, row in groupby(sorted((*places, *edges)), key=valid):
+    places = np.array([NEAR_END, *np.linspace(0, 1, 402)[1:-1], 1 - NEAR_END])
+    changes = np.flatnonzero(np.diff(valid(places)))
+    edges = [_edge(valid, float(places[i]), float(places[i + 1])) for i in changes]
+    tried = np.sort([*places, *edges])
+    for good, row in groupby(zip(valid(tried).tolist(), tried.tolist(), strict=True), key=itemgetter(0)):
         if good:
-            values = [of(chord.tried(t, side)) for t in row]
+            values = [of(chord.at(complex(chord.tried(t, side)))) for _, t in row]
             yield min(values), max(values)
 
 
-def _edge(valid: Callable[[float], bool], one: float, other: float) -> float:
+def _edge(valid: Callable[[float], Any], one: float, other: float) -> float:
     """The last place that is valid, between one that is and one that is not."""
     good, bad = (one, other) if valid(one) else (other, one)
     for _ in range(50):

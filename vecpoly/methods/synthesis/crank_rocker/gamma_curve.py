@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import groupby
-from math import degrees, isfinite
+from math import degrees
+from operator import itemgetter
 
 import numpy as np
 
@@ -26,19 +27,19 @@ def gamma_curve(draft: Draft, track: Track, sought: Sequence[float]) -> Chart | 
     run = _useful(track, sought)
     if len(run) < STATIONS:
         return None
-    board, places = draft.board, [track.place(t) for t in run]
+    board, places = draft.board, track.place(np.array(run)).tolist()
     primes = primes_of(track.locus)
     for n, place in enumerate(np.linspace(places[0], places[-1], STATIONS + 2)[1:-1], 1):
         at = track.on_sheet(draft, float(np.interp(place, places, run)))
         board.plot(SHEET, at, f"{n}{primes}", Dot.POINT)
     fine = np.interp(np.linspace(places[0], places[-1], FINE), places, run)
-    gammas = [degrees(min(track.angles(float(t)))) for t in fine]
+    gammas = np.degrees(track.least(fine)).tolist()
     curve = _opened(draft, track, places, max(gammas))
     curve.ruled()
-    curve.curve([track.place(float(t)) for t in fine], gammas)
+    curve.curve(track.place(fine).tolist(), gammas)
     for n, place in enumerate(np.linspace(places[0], places[-1], STATIONS + 2)[1:-1], 1):
         t = float(np.interp(place, places, run))
-        curve.point(track.place(t), degrees(min(track.angles(t))), f"{n}{primes}")
+        curve.point(float(track.place(t)), degrees(track.least(t)), f"{n}{primes}")
     return curve
 
 
@@ -84,7 +85,8 @@ def _useful(track: Track, sought: Sequence[float]) -> list[float]:
     sought."""
     far = max((OVER * abs(track.at(t) - track.c1) for t in sought), default=0.0)
     reach = max(FURTHEST * track.chord, far)
-    trials = (float(t) for t in np.linspace(0.0, 1.0, DENSE + 2)[1:-1])
-    near = (t for t in trials if not _is_long(track) or abs(track.at(t) - track.c1) < reach)
-    runs = [list(run) for valid, run in groupby(near, lambda t: isfinite(min(track.angles(t)))) if valid]
+    trials = np.linspace(0.0, 1.0, DENSE + 2)[1:-1]
+    near = trials[abs(track.at(trials) - track.c1) < reach] if _is_long(track) else trials
+    judged = zip(np.isfinite(track.least(near)).tolist(), near.tolist(), strict=True)
+    runs = [[t for _, t in run] for valid, run in groupby(judged, itemgetter(0)) if valid]
     return max(runs, key=len, default=[])

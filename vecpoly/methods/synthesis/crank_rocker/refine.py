@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
-from ...roots import Curve, halved, top
+from ...roots import halved, top
 from .track import Track
+
+Curve = Callable[[Any], Any]  # of one place, or of an array of them
 
 PLACES = 1440  # of A on its locus, tried in turn
 REFINED = 100  # halvings, or golden sections
@@ -18,13 +22,13 @@ EQUAL = 1e-6  # rad: two angles at the best place
 def meetings(track: Track, wanted: float) -> Iterator[float]:
     """Every place where the lesser angle is as wanted."""
 
-    def off(t: float) -> float:
-        return min(track.angles(t)) - wanted
+    def off(t: Any) -> Any:
+        return track.least(t) - wanted
 
-    places = [0.0, *_places()]
-    tried = {t: off(t) for t in places}
+    places = np.array([0.0, *_places()])
+    tried = dict(zip(places.tolist(), off(places).tolist(), strict=True))
     for t in (*_edges(off, tried), *_turns(off, tried)):
-        tried[t] = off(t)
+        tried[t] = float(off(t))
     for low, high in pairwise(sorted(tried)):
         if tried[low] * tried[high] < 0:
             yield halved(off, low, high, REFINED)
@@ -63,24 +67,25 @@ def summit(track: Track) -> Iterator[float]:
     Either both angles are equal there, or the lesser one does not change from one trial to the next.
     """
     places = _places()
-    tried = np.array([min(track.angles(t)) for t in places])
+    tried = track.least(places)
     i = 0 if np.isnan(tried).all() else int(np.nanargmax(tried))
     if not 0 < i < len(places) - 1:
         return
-    low, high = places[i - 1], places[i + 1]
-    t = top(lambda x: min(track.angles(x)), low, high, REFINED)
+    low, high = float(places[i - 1]), float(places[i + 1])
+    t = top(track.least, low, high, REFINED)
     first, second = track.angles(t)
     if abs(first - second) < EQUAL:
-        yield halved(lambda x: track.angles(x)[0] - track.angles(x)[1], low, high, REFINED)
+        yield halved(lambda x: np.subtract(*track.angles(x)), low, high, REFINED)
         return
     lesser, step = (0 if first < second else 1), (high - low) / 10
     yield halved(lambda x: _change(lambda y: track.angles(y)[lesser], x, step), t - step, t + step, REFINED)
 
 
-def _places() -> list[float]:
-    return [float(t) for t in np.linspace(0.0, 1.0, PLACES + 2)[1:-1]]
+def _places() -> npt.NDArray[np.float64]:
+    return np.linspace(0.0, 1.0, PLACES + 2)[1:-1]
 
 
 def _change(of: Curve, at: float, step: float) -> float:
     """How the angle changes there, from two places on either side (fourth order)."""
-    return 8 * (of(at + step) - of(at - step)) - (of(at + 2 * step) - of(at - 2 * step))
+    ahead, behind, far_ahead, far_behind = of(np.array([at + step, at - step, at + 2 * step, at - 2 * step]))
+    return float(8 * (ahead - behind) - (far_ahead - far_behind))

@@ -48,7 +48,7 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
         _nowhere(draft, best)
     for t in places:
         if curve is not None:
-            curve.point(track.place(t), degrees(min(track.angles(t))), "A")
+            curve.point(float(track.place(t)), degrees(track.least(t)), "A")
         yield track.on_sheet(draft, t)
 
 

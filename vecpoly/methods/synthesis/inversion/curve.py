@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
@@ -44,8 +45,8 @@ def centre_point_curve(sheet: Sheet, body: str, found: Mapping[str, Points]) -> 
     for start, end in ((0, 1), (1, 3), (3, 2), (2, 0)):
         sheet.draft.board.join(place, poles[start], poles[end], Role.CONSTRUCTION)
     for branch in chain.from_iterable(_branches(sides) for sides in _both(spots)):
-        inside = (at for at in branch if abs(at - middle) < 1.1 * window)
-        for one, two in pairwise(_spaced(inside)):
+        inside = branch[abs(branch - middle) < 1.1 * window]
+        for one, two in pairwise(_spaced(inside.tolist())):
             if abs(two - one) < JOINED:
                 sheet.draft.board.join(place, np.complex128(one), np.complex128(two), Role.CENTRE)
     for letter, at in found.items():
@@ -98,10 +99,10 @@ def _both(poles: Sequence[complex]) -> tuple[tuple[complex, ...], ...]:
     return (p12, p13, p24, p34), (p12, p24, p13, p34)
 
 
-def _branches(poles: Sequence[complex]) -> Iterator[tuple[complex, ...]]:
+def _branches(poles: Sequence[complex]) -> Iterator[npt.NDArray[np.complex128]]:
     """The first meetings for every angle γ, and the second ones; NaN where there are none."""
     gammas = np.pi * (np.arange(ANGLES) + 0.5) / ANGLES
-    return (tuple(map(complex, np.asarray(branch))) for branch in meetings(poles, gammas))
+    return (np.asarray(branch) for branch in meetings(poles, gammas))
 
 
 def _spaced(spots: Iterable[complex]) -> Iterator[complex]:

@@ -49,8 +49,11 @@ def _reach(at: complex, along: complex, poses: Sequence[Several]) -> tuple[float
 def _zeros(at: Several, along: Several, poses: Sequence[Several], hands: int) -> list[list[float]]:
     """For every hand the places u where the deviation changes its sign, in order."""
 
+    turns = turned(poses)
+
     def off(u: Numbers, hand: Hands | slice) -> Numbers:
-        return deviation([spot[hand] for spot in poses], at[hand] + np.tan(u) * along[hand])
+        m = at[hand] + np.tan(u) * along[hand]
+        return deviation([spot[hand] for spot in poses], [turn[hand] for turn in turns], m)
 
     tried = np.linspace(-np.pi / 2, np.pi / 2, TRIALS + 2)[1:-1]
     values = off(tried[:, None], slice(None))
@@ -60,6 +63,8 @@ def _zeros(at: Several, along: Several, poses: Sequence[Several], hands: int) ->
     above = off(low, hand) > 0
     for _ in range(REFINED):
         middle = (low + high) / 2
+        if np.all((middle == low) | (middle == high)):
+            break
         same = (off(middle, hand) > 0) == above
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     return [sorted(((low + high) / 2)[hand == h].tolist()) for h in range(hands)]
@@ -74,23 +79,31 @@ def _twice(off: Off, tried: Numbers, values: Numbers) -> tuple[Numbers, Numbers,
     sign = np.sign(values[row + 1, hand])
     low, high = left, right
     for _ in range(REFINED):
-        one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        nearer = sign * off(one, hand) < sign * off(two, hand)
-        low, high = np.where(nearer, low, one), np.where(nearer, two, high)
+        inner = np.stack([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
+        one, two = sign * off(inner, hand)
+        ends = np.where(one < two, np.stack([low, inner[1]]), np.stack([inner[0], high]))
+        if np.array_equal(ends, (low, high)):
+            break
+        low, high = ends
     top = (low + high) / 2
     beyond = sign * off(top, hand) < 0
     left, right, top, hand = left[beyond], right[beyond], top[beyond], hand[beyond]
     return np.concatenate([left, top]), np.concatenate([top, right]), np.concatenate([hand, hand])
 
 
-def deviation(poses: Sequence[Several], m: Several) -> NDArray[np.float64]:
+def turned(poses: Sequence[Several]) -> list[Several]:
+    """How far the body is turned in the first position, and from each other one back to it: it is rigid, however its
+    line was stepped off."""
+    ways = [np.asarray(unit(poses[i + 1] - poses[i])) for i in range(0, 8, 2)]
+    return [ways[0] * way.conj() for way in ways]
+
+
+def deviation(poses: Sequence[Several], turns: Sequence[Several], m: Several) -> NDArray[np.float64]:
     """The power of M₄′ to the circle through the other three, times the area of their triangle, on scratch paper.
 
-    poses: origin and end of the body's line in each position.
+    poses: origin and end of the body's line in each position; turns: of the body, back to the first.
     """
-    # the body is rigid, however its line was stepped off
-    turns = [np.asarray(unit(poses[i + 1] - poses[i])) for i in range(0, 8, 2)]
-    seen = [poses[0] + (m - poses[2 * i]) * turns[0] * turn.conj() for i, turn in enumerate(turns)]
+    seen = [poses[0] + (m - poses[2 * i]) * turn for i, turn in enumerate(turns)]
     u, v, w = (place - seen[0] for place in seen[1:])
     centre = 1j * (u * np.abs(v) ** 2 - v * np.abs(u) ** 2)
     area = 2 * (u.conj() * v).imag

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from ....algebra.quantity import Quantity
 from ....designs.quantities import AB, AD, BC, CD, SWING, THETA
@@ -36,20 +39,39 @@ class Limits:
 
 def judged(a: Points, d: Points, c1: Points, c2: Points, *, seen: bool = True) -> Verdict:
     """The verdict on limit positions as they stand on the sheet. seen: whether A sees them under θ."""
+    ideal = nominal(a), nominal(d), nominal(c1), nominal(c2)
     if at_limit(a, c1, c2):
         return Verdict.AT_LIMIT
     if not seen:
         return Verdict.FAR_ARC
-    if abs(float(nominal(distance(a, c1) - distance(a, c2)))) < EVEN:
+    if _even(ideal[0], *ideal[2:]):
         return Verdict.NO_CRANK
-    sides = [float(nominal(cross(d - a, c - a))) for c in (c1, c2)]
-    return Verdict.OPPOSITE if sides[0] * sides[1] <= 0 else Verdict.VALID
+    return Verdict.OPPOSITE if _across(*ideal) else Verdict.VALID
+
+
+def useful(a: Any, d: complex, c1: complex, c2: complex) -> Any:
+    """Which of many places of A, all on one sheet, give a linkage."""
+    return ~(_at_limit(a, c1, c2) | _even(a, c1, c2) | _across(a, d, c1, c2))
 
 
 def at_limit(a: Points, c1: Points, c2: Points) -> bool:
     """Whether A coincides with C in one of its limits."""
-    near, far = sorted(float(nominal(distance(a, c))) for c in (c1, c2))
-    return near < BESIDE * far
+    return bool(_at_limit(nominal(a), nominal(c1), nominal(c2)))
+
+
+def _at_limit(a: Any, c1: complex, c2: complex) -> Any:
+    one, other = distance(a, c1), distance(a, c2)
+    return np.minimum(one, other) < BESIDE * np.maximum(one, other)
+
+
+def _even(a: Any, c1: complex, c2: complex) -> Any:
+    """Whether A lies on the bisector of C₁C₂."""
+    return np.abs(distance(a, c1) - distance(a, c2)) < EVEN
+
+
+def _across(a: Any, d: complex, c1: complex, c2: complex) -> Any:
+    """Whether C₁ and C₂ lie on either side of AD."""
+    return cross(d - a, c1 - a) * cross(d - a, c2 - a) <= 0
 
 
 def limits_of(a: Points, d: Points, c1: Points, c2: Points, letters: tuple[str, str, str]) -> Limits:
