@@ -140,6 +140,7 @@ class Named:
 
     key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``); unit: as printed, SI throughout but
     for `deg`, `mm` and `kW`. sort: what it belongs to; solution: of several, the number of its own.
+    is_size: it is told as a magnitude, whose sign is a convention: a resisting moment, a ratio in a plain train.
     """
 
     key: str
@@ -148,6 +149,7 @@ class Named:
     is_vector: bool = False
     sort: Sort = Sort.PLAIN
     solution: int = 0
+    is_size: bool = False
 
     @property
     def is_central(self) -> bool:

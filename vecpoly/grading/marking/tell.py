@@ -31,6 +31,7 @@ def sentences(found: Verdicts, why: Causes, one: Graded, rules: Rules) -> tuple[
     text = found.sheet.answers[one.key]
     return (
         *_outcome(found, why, one),
+        *_sign(found, one),
         *_unit(found, one, rules),
         *_digits(found, one, text.digits, rules),
         *_demoted(found, one),
@@ -140,6 +141,11 @@ def _demoted(found: Verdicts, one: Graded) -> Iterator[Message]:
     """What “right” is worth where a drawing can hardly tell it from another value."""
     if one.demoted and found.outcome[one.key].is_right and found.basis.get(one.key, Basis.EXACT) is Basis.EXACT:
         yield message(Told.DEMOTED, t=_amount(one, one.allowed, 2), share=f"{100 * one.allowed / abs(one.exact):.0f}")
+
+
+def _sign(found: Verdicts, one: Graded) -> Iterator[Message]:
+    if one.unsigned and one.key in found.given and found.sheet.answers[one.key].value < 0:
+        yield message(Told.SIGN_FREE)
 
 
 def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:

@@ -24,6 +24,7 @@ class Told(StrEnum):
     SENSE_TOO = "sense_too"
     SENSE_MISSING = "sense_missing"
     SIGN = "sign"
+    SIGN_FREE = "sign_free"
     REVERSED = "reversed"
     DIRECTION = "dir"
     SIZE_OWN = "size_own"
@@ -109,6 +110,9 @@ SENTENCES: Mapping[Told, Words] = {
     Told.SENSE_TOO: Words("转向也相反", "Its sense is reversed, too"),
     Told.SENSE_MISSING: Words("没有写转向", "Its sense is not stated"),
     Told.SIGN: Words("大小正确，符号相反", "Magnitude right, sign reversed"),
+    Told.SIGN_FREE: Words(
+        "此量取大小，正负号只是约定，不影响判定", "Asked as a magnitude; its sign is a convention and costs nothing"
+    ),
     Told.REVERSED: Words(
         "大小正确，方向相反：请检查箭头由哪一点指向哪一点",
         "Magnitude right, direction reversed: check from which point to which the arrow runs",
