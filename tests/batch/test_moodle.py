@@ -100,6 +100,14 @@ def test_what_is_right_is_told_as_it_is_printed() -> None:
     assert right_told(key_of("2-3")["n"], "en") == "n = 3"
 
 
+def test_close_is_as_close_for_moodle_as_for_a_marker() -> None:
+    """Moodle gave half the mark up to 2 T, a marker up to 1.5 T."""
+    key = key_of("3-9")
+    right, close = list(bands(key["v_E"], rule=key.allowance))[:2]
+    assert (right.percent, close.percent) == (100, 50)
+    assert close.allowed == pytest.approx(key.allowance.wrong * right.allowed, rel=1e-5)
+
+
 def test_a_count_is_not_nearly_right() -> None:
     assert [worth.percent for worth in bands(key_of("2-3")["n"])] == [100]
 
