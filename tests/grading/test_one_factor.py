@@ -29,12 +29,22 @@ def written(name: str, factor: float, but: float | None = None) -> dict[str, str
 @pytest.mark.parametrize("name", ["8-9", "boom-thrust", "A-27-c"])
 @pytest.mark.parametrize("factor", [1.45, 0.7])
 def test_everything_by_one_factor_is_told_as_that_and_costs_once(name: str, factor: float) -> None:
+    """But an angle or a ratio, which has no size: it is wrong by itself."""
     sheet = marked(name, written(name, factor))
     said = [one.id for finding in sheet.findings for one in finding.messages]
-    assert not sheet.slips and len(sheet.roots) == 1 and said.count(Told.EVERYTHING) == 1
-    assert all(one.is_right for one in sheet.findings if one.written.raw and one.key != sheet.roots[0])
-    root = sheet[sheet.roots[0]]
+    sized = [one for one in sheet.roots if sheet.key[one].unit not in ("deg", "")]
+    assert not sheet.slips and len(sized) == 1 and said.count(Told.EVERYTHING) == len(sheet.roots)
+    assert all(one.is_right for one in sheet.findings if one.written.raw and one.key not in sheet.roots)
+    root = sheet[sized[0]]
     assert root.earned.total < sheet.key[root.key].points.total
+
+
+def test_a_ratio_by_the_factor_of_all_sizes_is_wrong_by_itself() -> None:
+    """An efficiency of 1.58 was right, for everything else was twice as large, too."""
+    sheet = marked("4-3a", written("4-3a", 2.0))
+    assert not sheet["eta"].is_right and sheet["eta"].earned.accuracy == 0 and len(sheet.roots) == 2
+    own = marked("4-3a", written("4-3a", 2.0) | {"eta": f"{key_of('4-3a')['eta'].exact:.4g}"})
+    assert own["eta"].is_right and len(own.roots) == 1
 
 
 def test_one_value_by_another_factor_is_no_factor_of_everything() -> None:

@@ -25,20 +25,24 @@ def of_factors(found: Verdicts, why: Causes) -> None:
 
 def _of_everything(found: Verdicts, why: Causes) -> bool:
     """Whether all numbers, but for what is right, are right ones by one factor, lengths on paper too, or values of
-    several scales; an angle has no power of ten in common with these."""
+    several scales. An angle or a ratio has no size to be off by: it is wrong by itself, and told so."""
     numbers = [found.key[name] for name, mine in found.given.items() if mine.at is None and mine.yes is None]
     wrong = [one for one in numbers if found.exact[one.key] is Outcome.WRONG and one.exact]
+    sized = [one for one in wrong if one.unit not in ("deg", "")]
     at_one_scale = len({one.mu for one in wrong}) == 1 or all(one.kind is not Kind.READING for one in wrong)
-    if at_one_scale or any(not found.exact[one.key].is_right for one in numbers if one not in wrong):
+    if (
+        at_one_scale
+        or len(sized) < ALIKE
+        or any(not found.exact[one.key].is_right for one in numbers if one not in wrong)
+    ):
         return False
-    k = _mean(found, wrong)
+    k = _mean(found, sized)
     if not k or not all(_scaled(found, one, k) for one in wrong):
         return False
-    power = _power(k)
-    alike = [one for one in wrong if one.unit != "deg"] if power else wrong
-    if len(alike) >= ALIKE:
-        _once(found, why, alike, power or message(Told.EVERYTHING, k=f"{k:.3g}"))
-    return len(alike) >= ALIKE
+    said = _power(k) or message(Told.EVERYTHING, k=f"{k:.3g}")
+    _once(found, why, sized, said)
+    why.said |= {one.key: said for one in wrong if one not in sized}
+    return True
 
 
 def _of_scales(found: Verdicts, why: Causes) -> None:
