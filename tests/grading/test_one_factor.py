@@ -47,6 +47,17 @@ def test_a_ratio_by_the_factor_of_all_sizes_is_wrong_by_itself() -> None:
     assert own["eta"].is_right and len(own.roots) == 1
 
 
+def test_what_follows_from_one_misread_length_is_no_factor_of_everything() -> None:
+    cells, key = written("4-3a", 1.0), key_of("4-3a")
+    length = key["R_41"].line
+    for name in (length, "R_41", "R_12", "R_32", "M"):
+        sense = " ccw" if key[name].exact > 0 else " cw"
+        cells[name] = f"{1.4 * abs(key[name].exact):.4g}{sense if key[name].kind is Kind.SIGNED else ''}"
+    cells["eta"] = f"{1.4 * key['eta'].exact:.4g}"
+    sheet = marked("4-3a", cells)
+    assert sheet.roots == (length,) and Told.EVERYTHING not in {one.id for one in sheet[length].messages}
+
+
 def test_one_value_by_another_factor_is_no_factor_of_everything() -> None:
     sheet = marked("A-27-c", written("A-27-c", 1.45, but=0.5))
     assert Told.EVERYTHING not in {one.id for finding in sheet.findings for one in finding.messages}

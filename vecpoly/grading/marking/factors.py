@@ -30,11 +30,8 @@ def _of_everything(found: Verdicts, why: Causes) -> bool:
     wrong = [one for one in numbers if found.exact[one.key] is Outcome.WRONG and one.exact]
     sized = [one for one in wrong if one.unit not in ("deg", "")]
     at_one_scale = len({one.mu for one in wrong}) == 1 or all(one.kind is not Kind.READING for one in wrong)
-    if (
-        at_one_scale
-        or len(sized) < ALIKE
-        or any(not found.exact[one.key].is_right for one in numbers if one not in wrong)
-    ):
+    begun = sum(one in sized for one in found.roots())  # what follows from one length is no factor of everything
+    if at_one_scale or begun < 2 or len(sized) < ALIKE or not _but(found, numbers, wrong):
         return False
     k = _mean(found, sized)
     if not k or not all(_scaled(found, one, k) for one in wrong):
@@ -43,6 +40,11 @@ def _of_everything(found: Verdicts, why: Causes) -> bool:
     _once(found, why, sized, said)
     why.said |= {one.key: said for one in wrong if one not in sized}
     return True
+
+
+def _but(found: Verdicts, numbers: Sequence[Graded], wrong: Sequence[Graded]) -> bool:
+    """Whether all numbers but the wrong ones are right."""
+    return all(found.exact[one.key].is_right for one in numbers if one not in wrong)
 
 
 def _of_scales(found: Verdicts, why: Causes) -> None:
