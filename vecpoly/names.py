@@ -1,10 +1,9 @@
 """One key for one quantity: `Rel` joins the reading, the oracle's answer, the rubric and the answer file.
 
 ASCII forms (the textbook's symbol in brackets):
-``v_C`` [v_C], ``v_C2`` [v_{C2}: point C of link 2], ``v_CB`` [v_{CB}: C relative to B, one link],
-``v_B3B2`` [v_{B3B2}: coincident points of links 3 and 2], ``an_CB`` [a^n_{CB}], ``at_CB`` [a^t_{CB}],
-``an_C`` [a^n_C, about the fixed pivot], ``ak_B3B2`` [a^k_{B3B2}, Coriolis], ``ar_B3B2`` [a^r_{B3B2}],
-``omega_3`` [ω_3], ``alpha_3`` [α_3], ``p_X`` [position of X]."""
+``v_C`` [v_C], ``v_C2`` [v_{C2}: point C of link 2], ``v_CB`` [v_{CB}: C to B, one link], ``v_B3B2`` [v_{B3B2}:
+coincident points of links 3 and 2], ``an_CB`` [a^n_{CB}], ``at_CB`` [a^t_{CB}], ``an_C`` [a^n_C, about the pivot],
+``ak_B3B2`` [a^k_{B3B2}, Coriolis], ``ar_B3B2`` [a^r_{B3B2}], ``omega_3`` [ω_3], ``alpha_3`` [α_3], ``p_X`` [place]."""
 
 from __future__ import annotations
 
@@ -139,7 +138,7 @@ class Named:
     """A quantity with a name of its own: a load F, a reaction R_12, an efficiency eta, a limit angle.
 
     key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``); unit: as printed, SI throughout but
-    for `deg`, `mm` and `kW`. sort: what it belongs to; solution: of several, the number of its own.
+    for `deg`, `mm` and `kW`. sort: what it belongs to; solution: of several, its number. is_size: of either sign.
     """
 
     key: str
@@ -148,6 +147,7 @@ class Named:
     is_vector: bool = False
     sort: Sort = Sort.PLAIN
     solution: int = 0
+    is_size: bool = False
 
     @property
     def is_central(self) -> bool:

@@ -10,6 +10,7 @@ import sys
 import time
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +19,8 @@ from typer.testing import CliRunner
 from tests.batch.homework import FOUR, TEXT, files, made, people, piloted
 from vecpoly.batch.classwork import Made
 from vecpoly.batch.outputs import outputs
-from vecpoly.batch.register import Register, read_register
+from vecpoly.batch.register import Register, Sheet, read_register
+from vecpoly.batch.run import tasks
 from vecpoly.batch.sheet.apriltag import CODES
 from vecpoly.batch.sheet.layout import tags_of
 from vecpoly.cli.app import app
@@ -50,6 +52,25 @@ def test_a_problem_that_was_changed_after_its_sheets_were_made_is_refused(
     with pytest.raises(VecpolyError, match=rf"problem block was changed \({key}\)"):
         made(tmp_path / "hw", FOUR, TEXT.replace(was, now))
     assert files(tmp_path / "hw") == before
+
+
+def test_a_sheet_at_which_the_program_breaks_is_told_of_and_stops_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A plate that no page holds (4-7 at the scales of a class) ended the whole run in a traceback."""
+    written = tasks._printed
+
+    def printed(register: Register, sheet: Sheet, out: Path) -> Any:
+        if sheet.student.number == FOUR[1].number:
+            raise ZeroDivisionError("division by zero")
+        return written(register, sheet, out)
+
+    monkeypatch.setattr(tasks, "_printed", printed)
+    done = made(tmp_path / "hw", FOUR[:3])
+    assert {number: error.words.en for number, error in done.refused.items()} == {
+        FOUR[1].number: "a fault inside vecpoly (ZeroDivisionError: division by zero); please report it"
+    }
+    assert len(list((tmp_path / "hw" / "questions").iterdir())) == 2
 
 
 def test_any_two_students_differ_by_three_tolerances_in_two_answers(whole: tuple[Path, Made]) -> None:

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.batch.moodle_reader import cloze
 from tests.drawn_library import DRAFTED
 from tests.each import each
 from tests.grading.cases import key_of, problem_of
@@ -42,15 +43,10 @@ def _answers(one: Graded) -> list[tuple[int, float, float]]:
     return [(int(part[1]), float(part[2]), float(part[3])) for part in parts if part is not None]
 
 
-# Moodle's own patterns and what it takes away again (qtype_multianswer), typed anew in Python
-_OPTION = re.compile(r"~?(=|%(-?[0-9]+)%)?(.+?(?<!\\|&)(?=[~#}]|$))(#(.*?(?<!\\)(?=[~}]|$)))?", re.S)
-_CHOICE = re.compile(r"\{[0-9]+:MULTICHOICE_S:((?:\\.|[^}])*)\}")
-
-
-def shown_by_moodle(body: str) -> list[tuple[str, str]]:
+def shown_by_moodle(blank: str) -> list[tuple[str, str]]:
     """The answers of a blank with what is said of each, as Moodle shows them."""
-    found = [(one[3], one[5] or "") for one in _OPTION.finditer(body)]
-    return [tuple(text.replace("\\}", "}").replace("\\#", "#") for text in pair) for pair in found]  # type: ignore[misc]
+    (part,) = cloze(blank)[1]
+    return [(one.text, one.said) for one in part.answers]
 
 
 @each(dict.fromkeys((*few(DRAFTED, 8), *FOUND_EMPTY)))
@@ -72,8 +68,7 @@ def test_every_number_that_is_asked_has_a_whole_answer_which_is_the_value_of_the
 
 @pytest.mark.parametrize("unit", [*UNITS, *(other for others in UNITS.values() for other in others)])
 def test_a_unit_is_shown_as_it_is_printed(unit: str) -> None:
-    (body,) = _CHOICE.findall(choice(1, (written_unit(unit), "x")))
-    assert shown_by_moodle(body) == [(written_unit(unit), ""), ("x", "")]
+    assert shown_by_moodle(choice(1, (written_unit(unit), "x"))) == [(written_unit(unit), ""), ("x", "")]
     assert "\\" not in unit_of(unit)
 
 
@@ -81,8 +76,8 @@ def test_a_unit_is_shown_as_it_is_printed(unit: str) -> None:
 def test_whatever_is_said_in_a_blank_moodle_shows_without_a_backslash(texts: list[str]) -> None:
     """What Moodle cannot be told is written by a letter that looks like it."""
     like = [text.replace("~", "～").replace("\\", "＼") for text in texts]
-    assert [said for said, _ in shown_by_moodle(choice(1, tuple(texts))[len("{1:MULTICHOICE_S:") : -1])] == like
-    assert shown_by_moodle(choice(1, ("right", "wrong"), texts[0])[len("{1:MULTICHOICE_S:") : -1])[1][1] == like[0]
+    assert [said for said, _ in shown_by_moodle(choice(1, tuple(texts)))] == like
+    assert shown_by_moodle(choice(1, ("right", "wrong"), texts[0]))[1][1] == like[0]
 
 
 def test_a_place_is_asked_by_both_coordinates_in_mm_from_a_point_that_is_named() -> None:
@@ -98,6 +93,14 @@ def test_what_is_right_is_told_as_it_is_printed() -> None:
     assert right_told(key_of("3-9")["omega_3"], "en").startswith("ω_3 = 1.995 rad/s clockwise (tolerance ")
     assert right_told(key_of("5-5")["M1_over_Q"], "zh") == "M_1/Q = 1.167 mm（允许误差 0.012 mm）"
     assert right_told(key_of("2-3")["n"], "en") == "n = 3"
+
+
+def test_close_is_as_close_for_moodle_as_for_a_marker() -> None:
+    """Moodle gave half the mark up to 2 T, a marker up to 1.5 T."""
+    key = key_of("3-9")
+    right, close = list(bands(key["v_E"], rule=key.allowance))[:2]
+    assert (right.percent, close.percent) == (100, 50)
+    assert close.allowed == pytest.approx(key.allowance.wrong * right.allowed, rel=1e-5)
 
 
 def test_a_count_is_not_nearly_right() -> None:

@@ -133,6 +133,18 @@ def test_answers_beside_a_problem_are_checked_with_a_reason(run: Run) -> None:
     assert "'kg' is no unit of this quantity (it should be m/s)" in run("check", "3-12", "v_D=1 kg").stdout
 
 
+@pytest.mark.parametrize("words", [("v_D 0.49",), ("v_D", "0.49"), ("v_D  0.49 m/s",), ("v_D", "0.49 m/s")])
+def test_an_answer_without_its_equals_sign_is_understood(run: Run, words: tuple[str, ...]) -> None:
+    shown = run("check", "3-12", *words)
+    assert shown.exit_code == 0 and "v_D" in shown.stdout and "right" in shown.stdout
+
+
+def test_a_number_of_nothing_is_asked_back_and_an_unknown_problem_is_one(run: Run) -> None:
+    assert "write v_E=0.173" in run("check", "3-9", "0.173").stderr
+    assert "no problem '3-99'" in run("check", "3-99").stderr
+    assert "no problem 'hello world'" in run("check", "3-9", "hello world").stderr
+
+
 def test_checked_answers_go_to_programs_too(run: Run) -> None:
     found = json.loads(run("check", "3-12", "v_D=490 m/s", "--json", "-").stdout)
     assert not found["right"] and [one["id"] for one in found["answers"][0]["messages"]] == ["pow10"]

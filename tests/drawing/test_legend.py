@@ -19,7 +19,7 @@ from vecpoly.drawing.legend.on_sheet import _inks, _sets, _with_blocks, with_leg
 from vecpoly.drawing.legend.vectors import _symbol, key_of_vectors
 from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke, TextBox, rect_of
 from vecpoly.drawing.sheets.sheet import Sheet
-from vecpoly.drawing.sheets.space import FRAME, STRIP
+from vecpoly.drawing.sheets.space import FRAME, STRIP, TALLEST
 from vecpoly.drawing.style import THIN, Hue
 
 SOME = ("3-9", "5-1", "curv-10")  # a plate, bands, a block
@@ -106,6 +106,17 @@ def _stands_in(sheet: Sheet, legend: Rect) -> list[bool]:
 def test_a_plate_grows_by_its_legend_and_a_page_stays_as_large_as_it_is() -> None:
     (plate,), (page, *_) = laid("3-9"), laid("3-5")
     assert with_legend(plate).room[1] > plate.room[1] and with_legend(page).room == page.room
+
+
+def test_no_plate_grows_by_its_legend_beyond_a_page_of_text() -> None:
+    """Rows stand closer, or what is plain is left out: 4-7 at the scales of a class was a sheet that no page held."""
+    (plate,) = laid("3-9")
+    wide, high = plate.room
+    more = with_legend(plate).room[1] - high
+    for short in (0.5, more - 0.5, more):
+        told = with_legend(replace(plate, room=(wide, TALLEST - more + short)))
+        assert told.results and told.room[1] <= TALLEST
+    assert with_legend(replace(plate, room=(wide, TALLEST - more))).room[1] == pytest.approx(TALLEST)
 
 
 def test_a_full_sheet_tells_the_inks_of_its_vectors_in_one_block_and_the_rest_in_another() -> None:

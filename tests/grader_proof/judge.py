@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from tests.grader_proof.students import Cells
 from vecpoly import Problem
+from vecpoly.board.otherwise.slip import Slip
 from vecpoly.grading.derive.keyed import answer_key
 from vecpoly.grading.key import AnswerKey, Graded
 from vecpoly.grading.marking.marked import Marked
@@ -13,6 +14,7 @@ from vecpoly.grading.marking.marker import mark
 from vecpoly.grading.rules import Rules
 from vecpoly.grading.sheet import sheet_of
 from vecpoly.grading.slips.mutants import Mutant, mutants
+from vecpoly.grading.told.catalogue import Told
 
 
 @dataclass(slots=True)
@@ -50,6 +52,13 @@ class Trial:
 
     def mark(self, cells: Cells, rules: Rules | None = None) -> Marked:
         return mark(self.problem, self.key, lambda: self.mutants, sheet_of(self.key, dict(cells)), rules or Rules())
+
+
+def named(trial: Trial, sheet: Marked) -> list[Slip]:
+    """The mistakes of the catalogue that a marked sheet names, one of the two that it names beside exchanged names
+    among them."""
+    told = {said.numbers["slip"] for one in sheet.findings for said in one.messages if said.id is Told.EXCHANGED}
+    return [*sheet.slips.values(), *(one.slip for one in trial.mutants if str(one.slip) in told)]
 
 
 def apart(mine: AnswerKey, theirs: AnswerKey) -> bool:

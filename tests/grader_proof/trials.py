@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.grader_proof.judge import Tally, Trial, apart
+from tests.grader_proof.judge import Tally, Trial, apart, named
 from tests.grader_proof.students import Cells, Class, drawn_class, times
 from tests.grader_proof.telling import alike, distinct, shows
 from vecpoly import Problem
@@ -58,11 +58,11 @@ def single_slips(trial: Trial, count: int, seed: int) -> Iterator[tuple[Slip, Ta
                 continue
             sheet, tally = trial.mark(cells), Tally()
             tally.add("single slips caught", bool(sheet.roots))
-            named = list(sheet.slips.values())
+            told = named(trial, sheet)
             kind = "single slips" if distinct(trial, mutant) else "slips that nothing tells apart:"
-            rightly = any(alike(trial, one, mutant) for one in named)
+            rightly = any(alike(trial, one, mutant) for one in told)
             tally.add(f"{kind} named rightly", rightly)
-            tally.add("single slips named as another", bool(named) and not rightly)
+            tally.add("single slips named as another", bool(told) and not rightly)
             yield slip, tally
 
 
@@ -90,11 +90,10 @@ def two_slips(trial: Trial, count: int, seed: int) -> Iterator[Tally]:
             continue
         sheet, tally = trial.mark(cells), Tally()
         tally.add("two slips caught", bool(sheet.roots))
-        named = list(sheet.slips.values())
-        tally.add(
-            "two slips: one of them named", any(alike(trial, one, each) for one in named for each in (first, second))
-        )
-        wrong = bool(named) and not any(alike(trial, one, each) for one in named for each in (first, second))
+        told = named(trial, sheet)
+        rightly = any(alike(trial, one, each) for one in told for each in (first, second))
+        tally.add("two slips: one of them named", rightly)
+        wrong = bool(told) and not rightly
         tally.add("two slips: a third named", wrong)
         yield tally
 

@@ -82,7 +82,7 @@ def test_a_force_is_not_taken_for_a_mobility(name: str) -> None:
     [
         ("field-influence", "影响系数的大小 $α$"),
         ("5-5", "下降时的效率 $η′$"),
-        ("7-2a", "传动比 $i_{0I}$、$i_{II,I}$"),
+        ("7-2a", "传动比的大小 $i_{0I}$、$i_{II,I}$"),
         ("7-6", "速度不均匀系数 $δ$、最大转速 $n_{max}$"),
         ("two-stroke-flywheel", "驱动功率 $P$"),
         ("8-3c", "导杆的摆角 $ψ$"),

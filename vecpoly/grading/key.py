@@ -75,7 +75,8 @@ class Graded:
     quantities that it rests on directly. sigma: what a student's hand scatters by; allowed: T, both in the unit of
     `exact`; turned: what it scatters by in direction (deg). demoted: too badly conditioned to be held against the
     exact value; it is graded by what it was computed from. origin: of a place the fixed point from which its
-    coordinates are read, right and up. points: nothing for a step on the way.
+    coordinates are read, right and up. unsigned: a size, whose sign is a convention. points: nothing for a step on the
+    way.
     """
 
     key: str
@@ -96,6 +97,7 @@ class Graded:
     demoted: bool = False
     asked: bool = False
     origin: str = ""
+    unsigned: bool = False
     points: Points = NOTHING
 
     @property

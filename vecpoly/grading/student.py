@@ -30,6 +30,7 @@ from .told.message import Message
 
 _WRONG_UNIT = Words("单位错", "wrong unit")
 _EQUALS = re.compile(r"[=＝≈≅:：]")
+_SPACED = re.compile(r"([^\W\d][\w^{}′']*)\s+(?=.*\d)(.+)")  # v_E 0.173, ω_3 cw 1.46
 _STEM = re.compile(r"(omega|alpha|an|at|ak|ar|v|a|p)(?=[A-Z]|\d)(.+)")
 
 
@@ -135,8 +136,10 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
 
 
 def parted(text: str) -> tuple[str, str]:
-    """The symbol and the value of ``v_D=0.49``, also with ≈ or a colon; two blanks where it is no answer."""
+    """The symbol and the value of ``v_D=0.49``, also with ≈, a colon or a blank; two blanks where it is no answer."""
     symbol, *value = _EQUALS.split(text, maxsplit=1)
+    if not value and (spaced := _SPACED.fullmatch(text.strip())):
+        symbol, value = spaced[1], [spaced[2]]
     return (symbol.strip(), value[0].strip()) if value else ("", "")
 
 

@@ -126,8 +126,8 @@ class _Row:
             "kind": one.kind.name[:2].lower(), "x": self._size(one.exact), "t": self._size(one.allowed),
             "near": one.allowed / abs(one.exact) if one.exact else 1.0, "unit": one.unit,
             "powers": POWERS.get(one.unit, ()),
-            "deg": one.degrees, "mm": one.mm, "scatter": one.turned, "follows": _following(follows),
-            "slips": list(self._slips()), "others": list(self._others()),
+            "size": one.unsigned, "deg": one.degrees, "mm": one.mm, "scatter": one.turned,
+            "follows": _following(follows), "slips": list(self._slips()), "others": list(self._others()),
             "shown": f"{number(self.times * one.exact, 4)} ± {number(self.times * one.allowed, 2)}",
         }  # fmt: skip
 

@@ -9,6 +9,7 @@ from math import isfinite
 import numpy as np
 
 from ...foundation.slotted import replace
+from ...grading.allowance import STUDENT, Allowance
 from ...grading.key import AnswerKey, Graded, Kind, is_count
 from ...grading.marking.order import same_of_others
 from ...grading.told.slip import told_of
@@ -48,24 +49,30 @@ def worths(problem: Problem, key: AnswerKey) -> dict[str, tuple[Worth, ...]]:
     before the wrong. Of several solutions each value is right in the blank of any: they have no order."""
     slipped, asked = _by_slips(problem), asked_of(key)
     return {
-        one.key: tuple(bands(one, slipped.get(one.key, ()), tuple(map(key.__getitem__, same_of_others(key, one.key)))))
+        one.key: tuple(
+            bands(
+                one, slipped.get(one.key, ()), tuple(map(key.__getitem__, same_of_others(key, one.key))), key.allowance
+            )
+        )
         for one in asked
     }
 
 
-def bands(one: Graded, slipped: Slipped = (), others: tuple[Graded, ...] = ()) -> Iterator[Worth]:
-    """The bands of a quantity, the right one first; none of what is told in words. others: the same of other
-    solutions."""
+def bands(
+    one: Graded, slipped: Slipped = (), others: tuple[Graded, ...] = (), rule: Allowance = STUDENT
+) -> Iterator[Worth]:
+    """The bands of a quantity, the right one first, close as a marker has it; none of what is told in words. others:
+    the same of other solutions."""
     if is_worded(one.key, one.unit):
         return
     right, wide = _rounded(one.exact), _rounded(one.allowed)
-    taken = [right, *_again(one, right)]
+    taken = [right, *_again(one, right), *([-right] if one.unsigned else [])]
     yield from (Worth(value=at, allowed=wide, percent=100, said=Words.same("")) for at in taken)
     for other in others:
         yield Worth(value=_rounded(other.exact), allowed=_rounded(other.allowed), percent=100, said=Words.same(""))
     counted = is_count(one)  # nothing is nearly as many, or as many below nothing
     if not counted:
-        yield from (Worth(value=at, allowed=_rounded(2.0 * wide), percent=CLOSE, said=_CLOSE) for at in taken)
+        yield from (Worth(value=at, allowed=_rounded(rule.wrong * wide), percent=CLOSE, said=_CLOSE) for at in taken)
     if _has_sign(one) and abs(right) > 2.0 * wide and not counted:
         taken.append(-right)
         yield Worth(value=-right, allowed=wide, percent=TURNED, said=_TURNED)
@@ -112,7 +119,7 @@ def _again(one: Graded, right: float) -> tuple[float, ...]:
 
 def _has_sign(one: Graded) -> bool:
     """Whether the opposite value is the same with another sense, and not another angle."""
-    return one.kind is Kind.SIGNED or (one.kind is Kind.SCALAR and one.unit != "deg")
+    return one.kind is Kind.SIGNED or (one.kind is Kind.SCALAR and one.unit != "deg" and not one.unsigned)
 
 
 def _by_slips(problem: Problem) -> dict[str, Slipped]:

@@ -101,7 +101,15 @@ def _by_problem(register: Register) -> Iterator[tuple[str, list[_Asked]]]:
         ]
         if not exercise.data.get("vary"):
             parts = parts[:1]
-        yield exercise.id, [_asked(register, sheet, part, lang) for sheet, part in parts[:VARIANTS]]
+        some = [(sheet, part) for sheet, part in parts[:VARIANTS] if asked_of(part.key)]
+        if some:  # Moodle takes no question without a blank, and then nothing of the file
+            yield exercise.id, [_asked(register, sheet, part, lang) for sheet, part in some]
+
+
+def left_out(register: Register) -> tuple[str, ...]:
+    """The problems of which Moodle can mark nothing by itself: all that is asked scatters too much on paper."""
+    asked = {part.problem for sheet in register.sheets for part in sheet.parts if asked_of(part.key)}
+    return tuple(one.id for one in register.exercises if register.sheets and one.id not in asked)
 
 
 def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:

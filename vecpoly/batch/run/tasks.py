@@ -18,7 +18,7 @@ from ...variants.draw import Variant, variants
 from ...variants.judge import Standard
 from ...variants.keyed import key_for
 from ...variants.seeds import Seed
-from ...words import Lang
+from ...words import Lang, Words
 from ..codes import sheet_id
 from ..register import Part, Register, Sheet
 from ..sheet.compose import composed, layout_of
@@ -94,10 +94,19 @@ class Print:
                 layout, written = _printed(self.register, sheet, out)
                 results.append({"number": sheet.student.number, "layout": layout})
                 files |= written
-            except VecpolyError as error:
-                results.append({"number": sheet.student.number, "error": {"zh": error.words.zh, "en": error.words.en}})
+            except (OSError, MemoryError):
+                raise  # it is not the sheet
+            except Exception as error:  # also a fault of ours: one sheet that cannot be written stops no other
+                why = error.words if isinstance(error, VecpolyError) else _fault(error)
+                results.append({"number": sheet.student.number, "error": {"zh": why.zh, "en": why.en}})
         Store(out).put(self.address, results, files)
         return results
+
+
+def _fault(error: Exception) -> Words:
+    """What is told of an error that nobody foresaw."""
+    said = f"{type(error).__name__}: {error}".splitlines()[0][:200]
+    return Words(f"程序内部错误（{said}），请报告", f"a fault inside vecpoly ({said}); please report it")
 
 
 def _printed(register: Register, sheet: Sheet, out: Path) -> tuple[dict[str, Any], dict[str, str]]:

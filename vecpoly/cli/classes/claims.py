@@ -21,12 +21,45 @@ if TYPE_CHECKING:
     from ...grading.student import Checked
 
 _CLAIM = re.compile(r"[^\W\d][\w^{}′']*\s*[＝≈≅:：](?![\\/])")  # v_D≈0.49, and no drive of a path
+_SYMBOL = re.compile(r"[^\W\d][\w^{}′']*")
+_NUMBER = re.compile(r"[-+−±≈]?\d*[.,]?\d+(?:[eE][-+]?\d+)?(?:\s*[^\W\d].*|\s*[°∠].*)?")  # 0.173 m/s, and no 3-9
 _COLUMNS = {"zh": ("量", "所写", "结论", "缘由"), "en": ("quantity", "written", "verdict", "reason")}
 
 
 def claims_among(names: Sequence[str]) -> list[str]:
     """The answers among the arguments: with an equals sign, or what stands for one behind a symbol, and no file."""
     return [name for name in names if ("=" in name or _CLAIM.match(name)) and not Path(name).exists()]
+
+
+def with_equals(names: Sequence[str]) -> list[str]:
+    """The arguments as they are meant: an answer without its sign, ``v_E 0.173``, in one argument or in two, has one;
+    what is a problem or a file stays as it is. Raises UnknownNameError for a number of nothing."""
+    found: list[str] = []
+    for name in names:
+        symbol, blank, value = name.strip().partition(" ")
+        if found and _NUMBER.fullmatch(name) and _is_symbol(found[-1]) and not _is_problem(name):
+            found[-1] += f"={name}"
+        elif blank and _is_symbol(symbol) and any(map(str.isdigit, value)) and "=" not in name:
+            found.append(f"{symbol}={value.strip()}")
+        elif _NUMBER.fullmatch(name) and not _is_problem(name):
+            raise UnknownNameError(
+                Words(
+                    f"{name} 是哪个量的值？请写 v_E={name}", f"of which quantity is {name} the value? write v_E={name}"
+                )
+            )
+        else:
+            found.append(name)
+    return found
+
+
+def _is_symbol(name: str) -> bool:
+    return bool(_SYMBOL.fullmatch(name)) and not _is_problem(name)
+
+
+def _is_problem(name: str) -> bool:
+    from ...problem.library import family, find
+
+    return Path(name).exists() or find(name) is not None or bool(family(name))
 
 
 def check_claims(

@@ -160,6 +160,7 @@ def _shard(text: str, gather: Sequence[Path] | None) -> tuple[int, int] | None:
 
 
 def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> None:
+    from ...batch.moodle.quiz import left_out
     from ...batch.outputs import BESIDE, FORM, left_over, outputs
 
     for path in outputs(made.register, output, profile, told):
@@ -173,6 +174,13 @@ def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> No
                     )
                 )
             )
+    if none := left_out(made.register):
+        said = Words(
+            f"{'、'.join(none)} 不在 Moodle 题库中：所求各量手工作图散布太大，不能由 Moodle 判分",
+            f"{', '.join(none)}: not among the questions for Moodle, for drawings scatter too much there to be marked "
+            "by it",
+        )
+        say(told_in(said))
     if old := left_over(made.register, output):
         names = [str(path.relative_to(output)) for path in old]
         said = Words(

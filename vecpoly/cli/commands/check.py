@@ -11,7 +11,7 @@ import typer
 from ...foundation.patterns import pattern
 from ...names import written_unit
 from ...words import Words, bare
-from ..classes.claims import check_claims, claims_among
+from ..classes.claims import check_claims, claims_among, with_equals
 from ..completion import ids
 from ..errors import DISAGREES, Tally, about
 from ..files import STDOUT, spared, write_json
@@ -66,7 +66,7 @@ def check(
     if files := drawings_among(names):
         check_drawings(names, files, json, lang, allow_outside)
         return
-    said = columns_said(columns)
+    said, names = columns_said(columns), with_equals(names)
     tally = Tally()
     if claims := claims_among(names):
         check_claims(names, claims, tally, json, lang, allow_outside)

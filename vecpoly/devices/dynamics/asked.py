@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...names import Named
 
-M_D, M_R = Named("M_d", "M_d", "N·m"), Named("M_r", "M_r", "N·m")
+M_D, M_R = Named("M_d", "M_d", "N·m"), Named("M_r", "M_r", "N·m", is_size=True)
 POWER = Named("P", "P", "kW")
 DW = Named("dW_max", "ΔW_{max}", "J")
 J_NEED, J_F = Named("J_need", "J_{Σ}", "kg·m^2"), Named("J_F", "J_F", "kg·m^2")

@@ -22,14 +22,14 @@ from ..base import Device, Duration, Omega, as_written
 from .shafts import Meshing, Pair, Shaft, ways
 
 J_E, M_E = Named("J_e", "J_e", "kg·m^2"), Named("M_e", "M_e", "N·m")
-M_D, M_R = Named("M_d", "M_{ed}", "N·m"), Named("M_r", "M_{er}", "N·m")
+M_D, M_R = Named("M_d", "M_{ed}", "N·m"), Named("M_r", "M_{er}", "N·m", is_size=True)
 TIME, TURNS = Named("t", "t", "s"), Named("N", "N", "r")
 LIFT, ROPE = Named("lift", "s", "m"), Named("F_rope", "F", "N")
 
 
 def ratio_of(name: str, to: str) -> Named:
     """i: ω of a shaft over that of the shaft to which all is reduced."""
-    return Named(f"i_{name}_{to}", f"i_{{{both(name, to)}}}", "")
+    return Named(f"i_{name}_{to}", f"i_{{{both(name, to)}}}", "", is_size=True)
 
 
 def both(one: str, other: str) -> str:

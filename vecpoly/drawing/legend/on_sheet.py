@@ -11,7 +11,7 @@ from ..scene import Item, Layer, Rect, Stroke, moved
 from ..sheets.boxes.redbox import BAND
 from ..sheets.packing import TIGHT
 from ..sheets.sheet import Sheet
-from ..sheets.space import FRAME, STRIP
+from ..sheets.space import FRAME, STRIP, TALLEST
 from ..style import THIN
 from .legend import Cell, Grid, band, blocks, cells, entries
 from .moved_up import over_band
@@ -32,7 +32,7 @@ def with_legend(sheet: Sheet) -> Sheet:
     they have room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
     sets = _sets(sheet)
     if sheet.plate:
-        return _grown(sheet, band(sets[0], sheet.lang, sheet.room[0])) if sets else sheet
+        return _on_plate(sheet, sets)
     if (banded := next((made for made, _ in _banded(sheet, sets)), None)) is not None or not sets:
         return banded or sheet
     tight = next((made for made, _ in _tight(sheet, sets)), None)
@@ -46,7 +46,7 @@ def with_legend_under(sheet: Sheet, write: Callable[[Sheet], Sheet]) -> Sheet:
     if not sets:
         return written
     if sheet.plate:
-        return _grown(written, band(sets[0], sheet.lang, sheet.room[0]))
+        return _on_plate(written, sets)
     both = (_written_over(made, grid, write) for made, grid in (*_banded(sheet, sets), *_tight(sheet, sets)))
     if (found := next((one for one in both if one is not None), None)) is not None:
         return found
@@ -118,6 +118,16 @@ def _as_many(sheet: Sheet, some: Sequence[Cell], most: int = BLOCKS) -> Sheet:
         if (one := _with_block(sheet, (some[:count],))) is not sheet:
             return _as_many(one, some[count:], most - 1)
     return sheet
+
+
+def _on_plate(plate: Sheet, sets: Sequence[Sequence[Cell]]) -> Sheet:
+    """A plate with its legend on a band, its rows closer, or without what is plain, where it would grow too high for a
+    page; else on blocks."""
+    grids = (band(some, plate.lang, plate.room[0], close=close) for some in sets for close in (False, True))
+    fitting = next((grid for grid in grids if plate.room[1] + grid.height <= TALLEST), None)
+    if fitting is not None:
+        return _grown(plate, fitting)
+    return _with_blocks(plate, sets, _inks(plate)) if sets else plate
 
 
 def _grown(plate: Sheet, grid: Grid) -> Sheet:

@@ -11,6 +11,7 @@ STRIP = 16.0  # title strip at the foot, inside the frame
 PLATE, NARROW = 170.0, 118.0  # width of a sheet in the text, which is that of the text; of what is filled at least
 HIGHEST = 155.0  # of a plate over its strip, for which figures are made smaller: what is higher has a page
 LARGEST = 198.0  # of a plate in place of a page of which bands are white
+TALLEST = 238.0  # of a plate with its legend, over its strip: no page of text holds a higher one
 LEGEND = 13.0  # mm of a sheet that a legend of two rows takes, over the strip
 SPARSE = 0.6  # share of a page below which figures look lost on it
 CLEAR = 5.0  # white between the frame and the first figure, and between figures

@@ -18,7 +18,7 @@ from ...foundation.indices import ON_LINE
 from ...foundation.slotted import replace
 from ...mechanism.model import Mechanism
 from ...methods.drawn import Drawn
-from ...names import parse_rel
+from ...names import Named, parse_rel
 from ...problem.asked.checks import is_check
 from ...problem.problem import Problem
 from ...solution import Solution, constructed, scales_of, solve, solve_by_hands
@@ -27,7 +27,7 @@ from ..allowance import STUDENT, Allowance
 from ..equations.priced import priced
 from ..equations.row import rows_of
 from ..key import AnswerKey, Graded, Kind, spot_letters
-from .blocks import block_of
+from .blocks import DIAGRAM, block_of
 from .needs import needs, with_lines
 from .rubric import USUAL, Rubric, shared
 from .tolerance import Scatter, with_tolerance
@@ -137,7 +137,7 @@ class _Found:
             symbol=answer.reading.symbol,
             kind=kind,
             unit=unit,
-            block=block_of(None, unit),
+            block=DIAGRAM if kind is Kind.LINE else block_of(None, unit),
             exact=answer.exact,
             asked=not is_check(answer.key, self.solution.answers),
             mu=scale,
@@ -145,6 +145,7 @@ class _Found:
             degrees=bearing(vector) if vector is not None else None,
             at=(place.real, place.imag) if place is not None else None,
             origin=_origin(self.solution.problem) if kind is Kind.PLACE else "",
+            unsigned=isinstance(answer.rel, Named) and answer.rel.is_size,
         )
 
 

@@ -3,47 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
-from math import log10
 
 from ...board.otherwise.slip import Slip
 from ..compare.band import target_of
 from ..compare.outcome import Basis, Outcome
-from ..key import Graded, Kind
+from ..key import Graded
 from ..slips.mutants import Mutant
 from ..slips.single import explanations, is_value_of
 from ..slips.whole import agrees, explain
 from ..told.catalogue import Told
 from ..told.message import Message, message
-from ..told.slip import told_of
+from ..told.slip import either, told_of
+from .factors import of_factors
 from .verdict import Verdicts
+from .why import Causes
 
 FAR = -2  # powers of ten
-TENFOLD = 0.02  # as near to a power of ten a factor is one
 MANY = 3  # times as much wrong as a mistake explains: too much to name it
 _BY_ITSELF = (Told.SWAPPED, Told.ZERO)  # what is said of one quantity, and is no mistake that two have in common
-ALIKE = 3  # values that one wrong scale must explain, at least
-
-
-@dataclass(slots=True, kw_only=True)
-class Causes:
-    """said: root → why; slips: root → the mistake of the catalogue; source: what follows from a root → that root."""
-
-    said: dict[str, Message] = field(default_factory=dict)
-    slips: dict[str, Slip] = field(default_factory=dict)
-    source: dict[str, str] = field(default_factory=dict)
 
 
 def causes(found: Verdicts, mutants: Sequence[Mutant]) -> Causes:
     """Find the cause of every root; what one cause explains beside its root is right by it (`basis`)."""
     why = Causes()
-    _exchanged(found, why)
+    _exchanged(found, why, mutants)
     for one in found.roots():
         if one.key in why.said or found.basis.get(one.key):
             continue
         _of_mistake(found, why, one, mutants, whole=True)
         if one.key not in why.said and not why.said:
-            _of_scales(found, why)
+            of_factors(found, why)
         if one.key not in why.said and not found.basis.get(one.key):
             _of_mistake(found, why, one, mutants)
         if one.key not in why.said and not found.basis.get(one.key):
@@ -141,14 +130,28 @@ def _nothing(found: Verdicts, name: str) -> bool:
     return mine.at is None and mine.yes is None and not mine.value and bool(found.key[name].exact)
 
 
-def _exchanged(found: Verdicts, why: Causes) -> None:
-    """Two values of which each is that of the other, where nothing else is wrong: their names were exchanged."""
+def _exchanged(found: Verdicts, why: Causes, mutants: Sequence[Mutant]) -> None:
+    """Two values of which each is that of the other, where nothing else is wrong: their names were exchanged, or a
+    mistake was made that gives just this, as α and γ of a force turned by 90°; then both are told, and it costs once.
+    """
     pair = found.roots()
     if len(pair) != 2 or any(found.outcome[one.key] is not Outcome.WRONG for one in pair):
         return
-    if all(is_value_of(found.given[one.key], one, other) for one, other in zip(pair, reversed(pair), strict=True)):
-        for one, other in zip(pair, reversed(pair), strict=True):
-            why.said[one.key] = message(Told.SWAPPED, other=other.symbol)
+    first, second = pair
+    if not (_is_of(found, first, second) and _is_of(found, second, first)):
+        return
+    made = explain(found.key, found.given, set(found.given), mutants).mutant
+    if made is None:
+        why.said |= {one.key: message(Told.SWAPPED, other=other.symbol) for one, other in (pair, pair[::-1])}
+        return
+    ways = either((made.slip, *made.also))
+    why.said[first.key] = message(Told.EXCHANGED, other=second.symbol, ways=ways, slip=str(made.slip))
+    found.outcome[second.key], found.basis[second.key] = Outcome.RIGHT, Basis.SLIP
+    why.source[second.key] = first.key
+
+
+def _is_of(found: Verdicts, one: Graded, other: Graded) -> bool:
+    return is_value_of(found.given[one.key], one, other)
 
 
 def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
@@ -182,41 +185,3 @@ def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
 def _alike(first: Graded, second: Graded) -> bool:
     """Whether one mistake with a unit or a scale may be in both: none that lengths have in common is in an angle."""
     return first.block == second.block and (first.unit == "deg") is (second.unit == "deg")
-
-
-def _of_scales(found: Verdicts, why: Causes) -> None:
-    """One factor on all values of a scale, whose lengths are right or not written, or on all its lengths: the scale was
-    wrong, or is another than the one that is stated."""
-    for mu in found.key.scales:
-        drawn = [one for one in found.key.quantities if one.mu == mu and one.key in found.given]
-        lengths = [one for one in drawn if one.kind is Kind.READING]
-        values = [one for one in drawn if one.kind is Kind.VECTOR and one.exact]
-        if len(lengths) >= ALIKE:
-            _by_one_factor(found, why, lengths, mu)
-        if all(found.exact[one.key].is_right for one in lengths) and len(values) >= ALIKE:
-            _by_one_factor(found, why, values, mu)
-
-
-def _by_one_factor(found: Verdicts, why: Causes, drawn: Sequence[Graded], mu: str) -> None:
-    """What is wrong by one factor costs once."""
-    ratios = sorted(abs(found.given[one.key].value / one.exact) for one in drawn)
-    k = ratios[len(ratios) // 2]
-    if not k or not all(found.exact[one.key] is Outcome.WRONG and _scaled(found, one, k) for one in drawn):
-        return
-    first, *others = (one.key for one in drawn)
-    why.said[first] = _factor(k, mu)
-    for name in others:
-        found.outcome[name], found.basis[name], why.source[name] = Outcome.RIGHT, Basis.SCALE, first
-    found.outcome[first], found.basis[first] = Outcome.WRONG, Basis.EXACT
-
-
-def _factor(k: float, mu: str) -> Message:
-    """A power of ten on all values is one of their unit, another factor one of the scale."""
-    power = round(log10(k))
-    if power and abs(k / 10.0**power - 1) < TENFOLD:
-        return message(Told.POW10, n=str(power))
-    return message(Told.SCALE_CONST, k=f"{k:.3g}", mu=mu.replace("mu", "μ"))
-
-
-def _scaled(found: Verdicts, one: Graded, k: float) -> bool:
-    return abs(abs(found.given[one.key].value) / k - abs(one.exact)) <= one.allowed

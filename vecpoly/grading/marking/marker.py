@@ -21,7 +21,7 @@ from ..sheet import Sheet
 from ..slips.mutants import Mutant
 from ..told.catalogue import Told
 from ..told.message import Message, message
-from .causes import Causes, causes
+from .causes import causes
 from .drawn import paid_by_length
 from .lines import drawn_by, paid_by_lines, with_lengths
 from .marked import Marked
@@ -31,6 +31,7 @@ from .scaled import at_own_scales, mutants_at
 from .solutions import as_answered
 from .tell import off_by, sentences, source_of
 from .verdict import Verdicts, verdicts
+from .why import Causes
 
 Mutants = Callable[[], Sequence[Mutant]]
 BLANK = Written(raw="", state=State.BLANK)

@@ -15,8 +15,8 @@ from ..key import Graded, Kind, is_count
 from ..rules import Rules
 from ..told.catalogue import Told
 from ..told.message import Message, message
-from .causes import Causes
 from .verdict import Verdicts
+from .why import Causes
 
 _OTHER_KIND = Words("写的不是所求的那种量", "it is not the kind of answer that is asked")
 _ASKED = {
@@ -31,6 +31,7 @@ def sentences(found: Verdicts, why: Causes, one: Graded, rules: Rules) -> tuple[
     text = found.sheet.answers[one.key]
     return (
         *_outcome(found, why, one),
+        *_sign(found, one),
         *_unit(found, one, rules),
         *_digits(found, one, text.digits, rules),
         *_demoted(found, one),
@@ -109,7 +110,7 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
         yield message(Told.DIRECTION, d=f"{direction.beside(one.degrees):.0f}")
     elif (one.kind is Kind.YES_NO or is_count(one)) and (said is None or said.id is Told.TWO_SLIPS):
         yield message(Told.NOT_RIGHT)
-    elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):
+    elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED, Told.EXCHANGED):
         yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
     if outcome is not Outcome.WRONG and found.exact[one.key] is Outcome.WRONG and one.key in found.followed:
         source = source_of(found, one)
@@ -140,6 +141,11 @@ def _demoted(found: Verdicts, one: Graded) -> Iterator[Message]:
     """What “right” is worth where a drawing can hardly tell it from another value."""
     if one.demoted and found.outcome[one.key].is_right and found.basis.get(one.key, Basis.EXACT) is Basis.EXACT:
         yield message(Told.DEMOTED, t=_amount(one, one.allowed, 2), share=f"{100 * one.allowed / abs(one.exact):.0f}")
+
+
+def _sign(found: Verdicts, one: Graded) -> Iterator[Message]:
+    if one.unsigned and one.key in found.given and found.sheet.answers[one.key].value < 0:
+        yield message(Told.SIGN_FREE)
 
 
 def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:

@@ -24,6 +24,7 @@ class Told(StrEnum):
     SENSE_TOO = "sense_too"
     SENSE_MISSING = "sense_missing"
     SIGN = "sign"
+    SIGN_FREE = "sign_free"
     REVERSED = "reversed"
     DIRECTION = "dir"
     SIZE_OWN = "size_own"
@@ -35,6 +36,7 @@ class Told(StrEnum):
     PER_MINUTE = "per_minute"
     DEGREES = "degrees"
     SCALE_CONST = "scale_const"
+    EVERYTHING = "everything"
     SCALE_UNDECLARED = "scale_undeclared"
     SCALE_ODD = "scale_odd"
     SLIP = "slip"
@@ -43,6 +45,7 @@ class Told(StrEnum):
     CORIOLIS_2 = "coriolis_2"
     TWO_SLIPS = "two_slips"
     SWAPPED = "swapped"
+    EXCHANGED = "exchanged"
     COORDINATE_SIGN = "coordinate_sign"
     DIVIDED = "divided"
     TRANSLATES = "translates"
@@ -109,6 +112,9 @@ SENTENCES: Mapping[Told, Words] = {
     Told.SENSE_TOO: Words("转向也相反", "Its sense is reversed, too"),
     Told.SENSE_MISSING: Words("没有写转向", "Its sense is not stated"),
     Told.SIGN: Words("大小正确，符号相反", "Magnitude right, sign reversed"),
+    Told.SIGN_FREE: Words(
+        "此量取大小，正负号只是约定，不影响判定", "Asked as a magnitude; its sign is a convention and costs nothing"
+    ),
     Told.REVERSED: Words(
         "大小正确，方向相反：请检查箭头由哪一点指向哪一点",
         "Magnitude right, direction reversed: check from which point to which the arrow runs",
@@ -143,14 +149,15 @@ SENTENCES: Mapping[Told, Words] = {
         "各结果同乘 {k}：比例尺 ${mu}$ 用错，只扣一次",
         "All results differ by the same factor {k}: wrong scale ${mu}$; deducted once",
     ),
+    Told.EVERYTHING: Words("全部结果同乘 {k}，只扣一次", "All is {k} times what it should be; deducted once"),
     Told.SCALE_UNDECLARED: Words("没有写比例尺 ${mu}$ 及其单位", "The scale ${mu}$ and its unit are not stated"),
     Told.SCALE_ODD: Words(
         "比例尺 ${mu}$ = {v} 不是推荐值（1、2、2.5、5 × 10ⁿ）", "The scale ${mu}$ = {v} is none of 1, 2, 2.5, 5 × 10ⁿ"
     ),
     Told.SLIP: Words("与“${what}$ {mistake}”的结果一致", "Matches what follows when ${what}$ is {mistake}"),
     Told.EITHER: Words(
-        "与“{ways}”{more}的结果一致（这几种错误给出同样的数值）",
-        "Matches what follows when {ways}{more} (these give the same numbers)",
+        "与{ways}的结果一致（这几种错误给出同样的数值）",
+        "Matches what follows when {ways} (these give the same numbers)",
     ),
     Told.CORIOLIS: Words(
         "与漏掉哥氏加速度 2$ω$·$v_r$（${what}$）的结果一致",
@@ -166,6 +173,7 @@ SENTENCES: Mapping[Told, Words] = {
     Told.SWAPPED: Words(
         "这是 ${other}$ 的值：是否取错了量？", "This is the value of ${other}$: was the wrong one taken?"
     ),
+    Told.EXCHANGED: Words("与 ${other}$ 互换：名称写反，或{ways}", "Exchanged with ${other}$: the names, or {ways}"),
     Told.COORDINATE_SIGN: Words("坐标的正负号不对", "The sign of a coordinate is wrong"),
     Told.DIVIDED: Words(
         "与把 ${line}$ 内分（应为外分），或外分（应为内分）的结果一致",

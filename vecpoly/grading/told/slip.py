@@ -57,16 +57,21 @@ _SAID = {
 def told_of(slip: Slip, also: Sequence[Slip] = ()) -> Message:
     """The sentence of a slip, or of several that give the same numbers; the Coriolis term has words of its own."""
     if also:
-        ways = list(dict.fromkeys(map(said_of, (slip, *also))))  # two lines may be drawn through the same wrong centres
-        if len(ways) == 1:
+        if len(dict.fromkeys(map(said_of, (slip, *also)))) == 1:  # two lines through the same wrong centres
             return message(Told.SLIP, what=symbol_of(slip.key.rpartition(":")[2]), mistake=_done(slip))
-        zh, en = zip(*((said.zh, said.en) for said in ways[:MOST]), strict=True)
-        more = Words("等", ", or the like") if len(ways) > MOST else Words.same("")
-        return message(Told.EITHER, ways=Words("”或“".join(zh), ", or ".join(en)), more=more)
+        return message(Told.EITHER, ways=either((slip, *also)))
     key = slip.key.rpartition(":")[2]
     if key.startswith("ak_") and slip.mistake in (Mistake.DROPPED, Mistake.HALVED):
         return message(Told.CORIOLIS if slip.mistake is Mistake.DROPPED else Told.CORIOLIS_2, what=symbol_of(key))
     return message(Told.SLIP, what=symbol_of(key), mistake=_done(slip))
+
+
+def either(slips: Sequence[Slip]) -> Words:
+    """One of these, of many the first."""
+    ways = list(dict.fromkeys(map(said_of, slips)))
+    zh, en = zip(*((said.zh, said.en) for said in ways[:MOST]), strict=True)
+    more = ("等", ", or the like") if len(ways) > MOST else ("", "")
+    return Words(f"“{'”或“'.join(zh)}”{more[0]}", f"{', or '.join(en)}{more[1]}")
 
 
 def _done(slip: Slip) -> Words:

@@ -17,7 +17,7 @@ _INSTEAD = {
     Told.TICK_GIVEN: Told.NOT_RIGHT,
     Told.TICK_UNKNOWN: Told.NOT_RIGHT,
 }
-_LEFT_OUT = (Told.WRONG_FROM, Told.SWAPPED, Told.DEMOTED)  # a share of the value gives it away, too
+_LEFT_OUT = (Told.WRONG_FROM, Told.SWAPPED, Told.EXCHANGED, Told.DEMOTED)  # a share of the value gives it away, too
 
 
 def veiled(said: Sequence[Message]) -> tuple[Message, ...]:

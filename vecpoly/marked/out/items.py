@@ -27,7 +27,7 @@ _HEAD = tuple(
     )
 )  # fmt: skip
 LINE = Words("（图线）", " (line)")
-_FACTORS = ("pow10", "two_pi", "per_minute", "swapped")
+_FACTORS = ("pow10", "two_pi", "per_minute", "swapped", "exchanged")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -77,9 +77,9 @@ _TRAIN = {
     r"P_\w+_in": Words("供给各分支的功率", "power of the branch"),
 }
 _REDUCED = {
-    "i_.*": Words("传动比", "speed ratio"),
+    "i_.*": Words("传动比的大小", "absolute speed ratio"),
     "J_e": Words("等效转动惯量", "equivalent moment of inertia"),
-    "M_r": Words("等效阻力矩", "equivalent resisting moment"),
+    "M_r": Words("等效阻力矩的大小", "magnitude of the equivalent resisting moment"),
     "M_d": Words("等效驱动力矩", "equivalent driving moment"),
     "M_e": Words("等效力矩", "equivalent moment"),
     "alpha_.*": Words("角加速度", "angular acceleration"),

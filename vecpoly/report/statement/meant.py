@@ -55,7 +55,7 @@ _SHAKING = {
 }
 _FLYWHEEL = {
     "P": Words("驱动功率", "driving power"),
-    "M_r": Words("阻力矩", "resisting moment"),
+    "M_r": Words("阻力矩的大小", "magnitude of the resisting moment"),
     "delta": Words("速度不均匀系数", "coefficient of speed fluctuation"),
     "n_max": Words("最大转速", "maximum speed"),
     "n_min": Words("最小转速", "minimum speed"),
