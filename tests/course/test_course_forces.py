@@ -3,7 +3,8 @@ who drives where, where friction locks, and equations that the oracle obeys."""
 
 from __future__ import annotations
 
-from itertools import pairwise
+import re
+from itertools import chain, pairwise
 from math import degrees, pi, radians
 from typing import Any
 
@@ -239,8 +240,12 @@ def test_the_conclusion_lists_what_is_asked_and_nothing_else_in_the_order_asked(
     (said,) = stated(it)
     listed = said.en.partition(" gives ")[2].partition(". Drawing and")[0].rstrip(".").split("; ")
     answers = [it.solution.answers[ask.rel.key] for ask in it.given.problem.asks]  # as chapter 6 has drawn them
-    assert [text[: text.index("$", 1) + 1] for text in listed] == [f"${one.reading.symbol}$" for one in answers]
-    assert all(drawn_number(one).lstrip("−") in text for one, text in zip(answers, listed, strict=True) if one.turns)
+    named = [re.findall(r"\$([^$]+)\$ [=(]", text) for text in listed]  # what is equal, together
+    asked = [one.reading.symbol for one in answers]
+    assert sorted(chain.from_iterable(named)) == sorted(asked)
+    assert [first for first, *_ in named] == sorted((first for first, *_ in named), key=asked.index)
+    told = {symbol: text for symbols, text in zip(named, listed, strict=True) for symbol in symbols}
+    assert all(drawn_number(one).lstrip("−") in told[one.reading.symbol] for one in answers if one.turns)
     assert not any("= −" in text for text in listed if "clockwise" in text)
 
 

@@ -25,7 +25,7 @@ def test_no_damaged_problem_file_ends_in_a_traceback_or_a_hang(tmp_path: Path) -
     for path, outcome in outcomes(_file, damaged_files(np.random.default_rng(3), count, tmp_path / "p.yaml")):
         ends[outcome.end] += 1
         assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\n{Path(path).read_text('utf-8', 'replace')}"
-    assert ends[End.SOLVED] > count / 15 and ends[End.REFUSED] > count / 3.75
+    assert ends[End.SOLVED] >= count / 15 and ends[End.REFUSED] > count / 3.75
 
 
 def test_no_damaged_table_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import re
 import numpy as np
 
 from vecpoly import oracle
+from vecpoly.check.resting import at_rest
 from vecpoly.solution import Solution
 
 from ..family import family
@@ -26,10 +27,10 @@ def as_places_say(solution: Solution) -> str:
         spread = float(np.abs(np.broadcast_to(at, 5) - at.flat[0]).max()) / mech.scale
         if max(spread, float(np.abs(np.broadcast_to(angle, 5) - angle.flat[0]).max())) < STILL:
             rests.add(name)
-    told = [re.match(r"links? ([\d, ]+) stands? still wherever", words.en) for words in solution.warnings]
+    remarks = at_rest(solution.problem)
+    told = [re.match(r"links? ([\d, ]+) stands? still wherever", words.en) for words in remarks]
     said = {name for one in told if one is not None for name in one[1].split(", ")}
-    shown = solution.as_json().get("warnings", [])
-    if said and not all("静止" in words["zh"] for words in shown if "stand" in words["en"]):
+    if not all("静止" in words.zh for words in remarks if "stand" in words.en):
         return "it is not said in Chinese"
     return "" if said == rests else f"at rest are {sorted(rests)}, said is it of {sorted(said)}"
 

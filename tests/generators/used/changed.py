@@ -111,7 +111,7 @@ def graded(solution: Solution, rng: np.random.Generator) -> str:
     return "" if checked is None or checked.right else f"the exact values are not right: {checked}"
 
 
-family("used-readings", also=own_reading, often=1)(anything("readings"))
+family("used-readings", also=own_reading, often=1, first=1)(anything("readings"))
 family("used-misread", also=misread, often=1, first=4)(anything("misread"))
 family("used-varied", also=varied, often=1, first=1)(anything("varied"))
 family("used-graded", also=graded, often=1, first=5)(anything("graded"))

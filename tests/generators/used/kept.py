@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 
@@ -35,8 +36,8 @@ def _same(again: Solution, solution: Solution) -> bool:
 
 @used
 def made_again(solution: Solution, rng: np.random.Generator) -> str:
-    """`problem.data` makes the same problem."""
-    again = problem(data_of(solution.problem))
+    """`problem.data` makes the same problem; drawn at the scales at which it was."""
+    again = replace(problem(data_of(solution.problem)), scales=solution.problem.scales)
     return unlike(solution, solved(again))
 
 

@@ -100,7 +100,7 @@ def played(solution: Solution, rng: np.random.Generator) -> str:
     return "" if page.html.rstrip().endswith("</html>") and all(told) else "a page is empty"
 
 
-family("used-report", also=reported, often=1, first=5)(anything("report"))
+family("used-report", also=reported, often=1, first=6)(anything("report"))
 family("used-course", also=studied, often=1, first=33)(
     anything(
         "course",

@@ -28,15 +28,17 @@ def gamma_curve(draft: Draft, track: Track, sought: Sequence[float]) -> Chart | 
     if len(run) < STATIONS:
         return None
     board, places = draft.board, track.place(np.array(run)).tolist()
+    fine = np.interp(np.linspace(places[0], places[-1], FINE), places, run)
+    gammas = np.degrees(track.least(fine))
+    if not np.nanmax(gammas) > 0:
+        return None
     primes = primes_of(track.locus)
     for n, place in enumerate(np.linspace(places[0], places[-1], STATIONS + 2)[1:-1], 1):
         at = track.on_sheet(draft, float(np.interp(place, places, run)))
         board.plot(SHEET, at, f"{n}{primes}", Dot.POINT)
-    fine = np.interp(np.linspace(places[0], places[-1], FINE), places, run)
-    gammas = np.degrees(track.least(fine)).tolist()
-    curve = _opened(draft, track, places, max(gammas))
+    curve = _opened(draft, track, places, float(np.nanmax(gammas)))
     curve.ruled()
-    curve.curve(track.place(fine).tolist(), gammas)
+    curve.curve(track.place(fine).tolist(), gammas.tolist())
     for n, place in enumerate(np.linspace(places[0], places[-1], STATIONS + 2)[1:-1], 1):
         t = float(np.interp(place, places, run))
         curve.point(float(track.place(t)), degrees(track.least(t)), f"{n}{primes}")
