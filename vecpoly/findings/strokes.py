@@ -91,10 +91,13 @@ def repeated_strokes(study: Study) -> Iterator[Words]:
             f"，各处均有 {'；'.join(reasons)}" if len(reasons) == 1 else "",
             f"; at each of them {' '.join(reasons.values())}" if len(reasons) == 1 else "",
         )
+        moves = Words(f"在一个循环内往复 {count} 次", f"oscillates {count} times a cycle")
+        if not study.whole.whole:
+            moves = Words(f"在工作区间内换向 {len(spots)} 次", f"reverses {len(spots)} times in the working range")
         told = Words(
-            f"${info.symbol}$ 在一个循环内往复 {count} 次，各极限位置（括号内为 ${drive.symbol}$）"
+            f"${info.symbol}$ {moves.zh}，各极限位置（括号内为 ${drive.symbol}$）"
             f"依次为 {'、'.join(limits)}{cause.zh}；总{'摆角' if info.unit == 'rad' else '行程'} {total}。",
-            f"${info.symbol}$ oscillates {count} times a cycle; its limits (${drive.symbol}$ "
+            f"${info.symbol}$ {moves.en}; its limits (${drive.symbol}$ "
             f"in brackets) are {', '.join(limits)} in turn{cause.en}; its range is {total}.",
         )
         if study.whole.whole and len(spots) == 2 * count:

@@ -106,6 +106,11 @@ def _with_centres(figure: Figure) -> bool:
     return figure.view is View.MECHANISM and not is_of_curvature(figure)
 
 
+def _with_poles(figure: Figure) -> bool:
+    """Whether poles one after another are carried into a moving plane; Q may be a point of a link else."""
+    return _with_centres(figure) and any(label.startswith("Q^{′}") for label in _labels(figure))
+
+
 def _projected(figure: Figure) -> bool:
     """Whether velocities are projected on the lines of springs and dampers."""
     return figure.view is View.VELOCITY and not figure.name
@@ -136,8 +141,8 @@ LETTERS: tuple[Letter, ...] = (
     Letter(is_of_curvature, r"q|Z_\{\w+\}", Words("曲率驻点曲线的直线及其点", "line of the cubic, its points")),
     Letter(is_of_curvature, r"U_\{\d\}", Words("鲍尔点", "Ball's point")),
     Letter(_with_centres, r"P_\{?\d\d\}?(\^\{∞\})?", Words("速度瞬心", "instant centre")),
-    Letter(_with_centres, r"Q_\{?\d+\}?", Words("瞬心在定平面上的位置", "places of the pole, fixed plane")),
-    Letter(_with_centres, r"Q\^\{′\}_\{?\d+\}?", Words("瞬心在动平面上的位置", "places of the pole, moving plane")),
+    Letter(_with_poles, r"Q_\{?\d+\}?", Words("瞬心在定平面上的位置", "places of the pole, fixed plane")),
+    Letter(_with_poles, r"Q\^\{′\}_\{?\d+\}?", Words("瞬心在动平面上的位置", "places of the pole, moving plane")),
     Letter(_acted_on, r"h(_?\{?[\w,′]+\}?)?", Words("力臂", "arm of a force")),
     Letter(_pressed, r"n(_\{?\d+\}?)?", Words("接触面的法线", "normal of a contact")),
     Letter(_pressed, r"φ", Words("摩擦角", "angle of friction")),

@@ -85,7 +85,7 @@ def said(statement: Statement | None, which: str = "点") -> Words:
         case None:
             return Words(f"（取与题给装配形式相符的一{which}）", " (of the two, the one that fits the assembly given)")
         case SideOf(point=point, side=side):
-            beside = side in (Side.LEFT, Side.RIGHT)
+            beside = side in (Side.LEFT, Side.RIGHT) and len(statement.ref) > 1  # of one point, in its direction
             ref = f"${''.join(statement.ref)}$"
             line = Words(f"有向线 {ref} ", f"the directed line {ref}") if beside else Words(f" {ref} ", ref)
             taken = (

@@ -105,10 +105,12 @@ def _repeated(study: Study, key: str) -> Words:
     swing = next(s for s in study.facts.swings if s.key == key)
     assert swing.highest is not None and swing.lowest is not None
     size = shown(study, key, swing.highest.value - swing.lowest.value)
+    often = Words(f"每循环往复 {len(swing.maxima)} 次", f"reciprocates {len(swing.maxima)} times a cycle")
+    if not study.whole.whole:
+        often = Words("在工作区间内往复运动", "reciprocates in the working range")
     return Words(
-        f"每循环往复 {len(swing.maxima)} 次，总{'摆角' if study.whole.info(key).unit == 'rad' else '行程'} "
-        f"{size}（各行程见 8.1）",
-        f"reciprocates {len(swing.maxima)} times a cycle within {size} (strokes in 8.1)",
+        f"{often.zh}，总{'摆角' if study.whole.info(key).unit == 'rad' else '行程'} {size}（各行程见 8.1）",
+        f"{often.en} within {size} (strokes in 8.1)",
     )
 
 

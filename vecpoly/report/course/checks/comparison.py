@@ -187,7 +187,7 @@ def _alone(study: Study, found: Compared) -> tuple[Words, Words]:
     )
     of = ("", "") if share == "—" else (f"，占该处精确值的 {share}", f", {share} of the exact value there")
     by_hand = Words(
-        f"真实的手工作图误差大得多：在题设位置，三倍标准差（3σ，即 6.2 的预期误差）为 {hand} {unit}{of[0]}。",
+        f"手工作图还有画平行线、画弧等误差：在题设位置，其三倍标准差（3σ，即 6.2 的预期误差）为 {hand} {unit}{of[0]}。",
         f"Drawing by hand is less accurate: at the given position its three standard deviations (3σ, the expected "
         f"error of 6.2) are {hand} {unit}{of[1]}.",
     )
