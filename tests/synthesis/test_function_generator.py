@@ -184,7 +184,7 @@ def test_trials_that_tell_no_crank_are_refused_with_what_is_wrong() -> None:
 
 def test_trials_that_miss_by_as_much_to_either_side_have_the_crank_midway_between_them_by_its_inverse() -> None:
     """k is linear in 1/AE, and here k_F = −k_E."""
-    read = {}
+    read: dict[str, str] = {}
     for prime in ("", "^′"):
         read |= {f"P{prime} Q{prime}": "5 mm", f"D P{prime}": "50 mm", f"D Q{prime}": "40 mm"}
     solution = vecpoly.load("8-18").solve(by="exact", readings=read)
