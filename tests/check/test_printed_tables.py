@@ -23,6 +23,7 @@ from vecpoly.check.slips.rates import Loops, mixed
 from vecpoly.check.table.header import split
 from vecpoly.check.table.quantity_names import read_target
 from vecpoly.check.table.sheet import digits, last_unit
+from vecpoly.check.table.target import Target
 from vecpoly.check.table.weigh import Level
 from vecpoly.check.table.whole import ColumnCheck, TableCheck, check_table
 from vecpoly.cli import app
@@ -266,6 +267,13 @@ def test_a_table_that_numbers_its_links_otherwise_is_matched_by_its_angles() -> 
     ]
     assert any("its links 5, 6 are the problem's links 4, 5" in note.en for note in check.notes)
     assert check.column("theta5_deg").column.label.en == "$θ_{5}$ (here $φ_{4}$)"
+
+
+@pytest.mark.parametrize(
+    ("header", "symbol"), [("theta5_deg", "θ_{5}"), ("Th_5", "θ_{5}"), ("θ5", "θ_{5}"), ("phi5_deg", "φ_{5}")]
+)
+def test_an_angle_keeps_the_letter_of_its_header(header: str, symbol: str) -> None:
+    assert Target(link="5").named_as_in(header) == symbol
 
 
 # -- true tables ------------------------------------------------------------------------------------------------

@@ -74,6 +74,13 @@ def test_an_output_that_goes_to_and_fro_is_told_by_its_greatest_sizes_with_all_t
     assert "$|v_{23}|$ 最大 0.1604 m/s（$φ_{1}$ = 18.4°、161.6°）" in said.zh and "无急回特性" in said.zh
 
 
+def test_a_link_that_is_told_by_its_rates_alone_has_them_behind_a_colon_and_an_even_crank_has_no_sentence() -> None:
+    (rates,), (both,) = (output(studied("3-9"), link) for link in "23")
+    assert rates.en.startswith("Output link 2: the maximum $|ω_{2}|$ is ") and rates.zh.startswith("输出构件 2：$")
+    assert both.en.startswith("Output link 3 oscillates") and both.en.count("; the maximum") == 1
+    assert [*output(studied("3-9"), "1")] == []
+
+
 @pytest.mark.parametrize("lang", few(["zh", "en"], 2))
 def test_what_would_be_a_table_of_one_row_is_a_sentence(lang: Lang) -> None:
     text, objects = course_words("D-3-knife", lang)

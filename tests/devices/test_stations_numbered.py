@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import re
+from typing import Any
+
 import pytest
 
+from tests.cam_cases import device
+from tests.cam_cases import drawn as inverted
 from tests.drawn_library import drawn
 from tests.label_faults import text_of
+from tests.laws import few
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Arc, Curve, Note
 from vecpoly.drawing.figure import drawing
@@ -65,3 +71,21 @@ def test_angles_are_written_where_a_curve_has_its_corners_if_round_ones_are_ther
 def test_the_angle_at_which_the_power_of_a_shaper_jumps_stands_on_the_axis() -> None:
     notes = [m.words.en for one in drawn("7-4").construction.figures for m in one.marks if isinstance(m, Note)]
     assert "120°" in notes
+
+
+@pytest.mark.parametrize("turns", ["ccw", "cw"])
+@pytest.mark.parametrize("follower", few([{"knife": "yes"}, {"arm": {"OA": "80 mm", "AB": "70 mm"}}], 2))
+def test_the_stations_follow_each_other_in_the_sense_in_which_the_step_turns_the_follower_about_the_cam(
+    turns: str, follower: dict[str, Any]
+) -> None:
+    by = "25 deg" if "arm" in follower else "30 mm"
+    motion = [f"rise {by} in 120 deg cosine", "dwell 30 deg", "return in 120 deg parabolic", "dwell 90 deg"]
+    made = inverted(device("cam", follower=follower, motion=motion, r0="35 mm", turns=turns))
+    sheet = next(one for one in made.figures if one.view is View.MECHANISM)
+    places = {m.words.en: m.at for m in sheet.marks if isinstance(m, Note) and m.words.en.isdigit()}
+    (said,) = (one.words for one in made.steps if "Add $−ω$" in one.words.en)
+    counter = (places["2"] / places["1"]).imag > 0
+    assert re.search(r"(?:turns|goes round) (\S+), against", said.en)[1] == (  # type: ignore[index]
+        "counter-clockwise" if counter else "clockwise"
+    )
+    assert re.search("按(.*)反转", said.zh)[1] == ("逆时针" if counter else "顺时针")  # type: ignore[index]

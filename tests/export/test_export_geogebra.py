@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from dataclasses import replace
 from functools import cache
 from math import degrees
@@ -123,17 +124,21 @@ def test_wherever_the_slider_stands_letters_and_answers_are_those_of_solve(probl
 
 
 @pytest.mark.parametrize("problem", few(["3-5", "jansen-leg"], 2))
-def test_every_arc_swung_on_the_sheet_is_an_arc_of_its_radius_about_its_centre(problem: str) -> None:
+def test_every_arc_swung_on_the_sheet_is_an_arc_about_its_centre_counter_clockwise_from_end_to_end(
+    problem: str,
+) -> None:
     given = load(problem)
     known = evaluated(exported(problem), slider(given))
     at = known["O_{m}"]
     made = [one.find("output") for one in construction(exported(problem)) if one.get("name") == "CircleArc"]
     arcs = [one.get("a0", "") for one in made if one is not None]
-    drawn = [
-        (centre - at, abs(first - centre), abs(last - centre)) for centre, first, last in (known[arc] for arc in arcs)
-    ]
+    drawn = [(centre - at, first - centre, last - centre) for centre, first, last in (known[arc] for arc in arcs)]
     acts = solve(replace(given, scales=given_scales(problem)), by="exact", repeats=0, precise=False).construction.acts
-    swung = [(act.centre, act.radius, act.radius) for act in acts if isinstance(act, Swing)]
+    swung = [
+        (act.centre, *(cmath.rect(act.radius, angle) for angle in sorted((act.start, act.start + act.sweep))))
+        for act in acts
+        if isinstance(act, Swing)
+    ]
     assert swung
     for one in swung:
         assert any(other == pytest.approx(one, rel=1e-9, abs=1e-9) for other in drawn), one

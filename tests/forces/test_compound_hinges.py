@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.at_once import exactly
-from tests.forces.test_pins_in_slots import exact_hand
+from tests.forces.test_pins_in_slots import agreeing, exact_hand
 from tests.generators.forces import friction, moment, numbered, renumbering, simple, some, template
 from tests.generators.loaded import rrp, rrr
 from tests.laws import few
@@ -199,3 +199,15 @@ def test_a_pin_with_whose_owner_the_groups_would_be_of_class_iii_is_thought_by_i
     free, owned = (exactly(loads(CARRIED + more)).answers["M_1"] for more in ("", "pins: {E: 6}\n"))
     assert free.drawn == pytest.approx(free.exact) and free.drawn != 0
     assert owned.drawn == pytest.approx(free.drawn, rel=1e-9)
+
+
+@pytest.mark.parametrize("rubs", few(["", "friction: {A: {rho: 3 mm}, B: {rho: 3 mm}, E: {rho: 4 mm}}\n"], 2))
+def test_every_reaction_about_a_pin_that_is_given_back_to_its_owner_is_drawn_as_exact(rubs: str) -> None:
+    """The force on the link on which the groups hung is the closing side of the pin's own polygon."""
+    more = "Q: {on: 5, at: G, size: 90 N, direction: 20 deg}, P: {on: 3, at: E, size: 50 N, direction: 200 deg}, M_1"
+    text = CARRIED.replace("find: [M_1]\n", "").replace("M_1", more, 1)
+    found = exact_hand(f"{text}pins: {{E: 6}}\n{rubs}")
+    assert agreeing(found) == (13 if rubs else 11)
+    assert {"R_26", "R_36", "R_46"} <= found.answers.keys() and found.answers["R_36"].exact > 100
+    told = found.construction.forces["R_24"].remark
+    assert told is not None and "belongs to link 6" in told.en and "属于构件 6" in told.zh

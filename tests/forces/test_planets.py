@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 import vecpoly
 from tests.forces.test_pins_in_slots import agreeing, exact_hand
 from tests.laws import often
+from vecpoly.problem.load import load
+from vecpoly.solution import solve
 
 TRAINS = """
 id: x
@@ -71,3 +73,10 @@ def test_the_sheet_tells_why_one_pair_of_teeth_is_alone_in_its_moment_equation()
     assert any(
         "R_{62}$ passes through $K$" in step.words.en and "R_{62}$ 过节点 $K$" in step.words.zh for step in steps
     )
+
+
+def test_a_planet_between_sun_and_ring_is_told_as_what_stands_in_the_way_and_the_arm_as_the_driver_instead() -> None:
+    solution = solve(load("planetary-reactions"), by="exact", repeats=0, precise=False)
+    (said,) = (one.words for one in solution.construction.steps if "link 3 is taken as the driver" in one.words.en)
+    assert "from link 1 the mechanism has planet gears." in said.en and "含有行星轮系" in said.zh
+    assert "only class II groups and single gears, which" in said.en and "Ⅱ 级杆组和单个齿轮组成" in said.zh

@@ -154,4 +154,6 @@ def test_groups_are_taken_off_from_a_link_that_moves(balanced: int, more: str) -
     """From link 3, the first on the frame, the dyad of 2 and 4 is at a change point: no line of R_32 was found."""
     solution = exact_hand(STANDS_STILL % balanced + more)
     assert solution.answers["R_36"].exact > 100 and agreeing(solution) >= 8
-    assert any("link 4 is taken as the driver" in step.words.en for step in solution.construction.steps)
+    (said,) = (one.words for one in solution.construction.steps if "link 4 is taken as the driver" in one.words.en)
+    assert "from link 1 the mechanism has groups above class II." in said.en and "含有高于 Ⅱ 级的杆组" in said.zh
+    assert "Then there are only class II groups, which" in said.en and "全由 Ⅱ 级杆组组成" in said.zh

@@ -6,6 +6,7 @@ import pytest
 
 from tests.grading.cases import key_of, marked, mutants_of
 from vecpoly.grading.compare.outcome import Basis
+from vecpoly.grading.told.catalogue import Told
 
 
 @pytest.mark.parametrize(
@@ -43,6 +44,17 @@ def test_an_angle_that_nobody_reads_is_judged_by_own_values_and_never_by_the_lar
     one = key_of("8-4")["gamma_min_1"]
     assert one.demoted and one.allowed <= one.exact
     assert not marked("8-4", {"gamma_min_1": "60"})["gamma_min_1"].is_right
+
+
+def test_only_a_right_answer_that_drawings_can_hardly_tell_from_another_is_told_what_it_is_worth() -> None:
+    sheets = [marked("8-4", cells) for cells in ({"gamma_min_1": "13.5"}, {"gamma_min_1": "60"}, {"psi_1": "40.7"})]
+    sheets.append(marked("8-4", {"l_BC(1)": "96.6", "gamma_min_1": "39"}))  # the half forgotten, and what follows
+    right, wrong, sure, own = (
+        sheet[key] for sheet, key in zip(sheets, ("gamma_min_1", "gamma_min_1", "psi_1", "gamma_min_1"), strict=True)
+    )
+    assert right.messages[-1].words.en.startswith("Drawings scatter by ±14° (100 %) here")
+    assert sure.is_right and own.is_right and own.basis is not Basis.EXACT and not wrong.is_right
+    assert not any(one.id is Told.DEMOTED for found in (wrong, sure, own) for one in found.messages)
 
 
 def test_what_is_computed_once_more_as_a_check_is_not_what_others_rest_on() -> None:

@@ -9,7 +9,8 @@ from dataclasses import replace
 from functools import cache
 from math import inf, nan
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pdfplumber
@@ -23,6 +24,8 @@ from tests.laws import few
 from vecpoly import load, loads, solve
 from vecpoly.answer import YES_NO
 from vecpoly.check.alarm import Cause, Weighed, alarm_at
+from vecpoly.check.precision import noise
+from vecpoly.check.truth import Truth
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import SUSPECT
 from vecpoly.designs.base import Design
@@ -296,6 +299,22 @@ def test_beside_a_change_point_what_has_no_digits_left_is_refused(phi: str) -> N
     with pytest.raises(DeadPointError, match="digits are left") as refusal:
         solve(loads(NEARLY.replace("PHI", phi)))
     assert "位有效数字" in refusal.value.words.zh
+
+
+@pytest.mark.parametrize(
+    ("off", "zh", "en"),
+    [
+        (0.005, "只剩 2 位", "2 digits are left"),
+        (0.05, "只剩 1 位", "1 digit is left"),
+        (0.5, "一位有效数字也不剩", "no digit"),
+    ],
+)
+def test_what_is_left_of_a_value_is_counted_in_words(off: float, zh: str, en: str) -> None:
+    problem = loads(NEARLY.replace("PHI", "40 deg"))
+    truth = SimpleNamespace(values={"omega_3": 1.0}, nearby=({"omega_3": 1.0 + off}, {"omega_3": 1.0 - off / 2}))
+    with pytest.raises(DeadPointError, match=en) as refusal:
+        noise(problem, cast(Truth, truth), {"omega_3": 1.0})
+    assert zh in refusal.value.words.zh
 
 
 def test_where_digits_are_lost_it_is_said_how_many_are_left() -> None:

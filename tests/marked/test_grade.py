@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from pathlib import Path
 
 import pdfplumber
@@ -24,6 +25,12 @@ def halved(key: str, text: str) -> str:
     """Half of the Coriolis term, and what follows from it left out."""
     after = ("at_C2B", "ar_C2C3", "a_D", "a_E", "alpha_2", "alpha_3")
     return f"{float(text) / 2:.4g}" if key == "ak_C2C3" else "" if key in after else text
+
+
+def lengthened(key: str, text: str) -> str:
+    """A length read too long, ω₂ as it follows from it, and a normal acceleration that follows from nothing."""
+    size, *sense = text.split()
+    return " ".join([f"{float(size) * 1.3:.4g}", *sense]) if key in ("v_C2B", "omega_2", "an_C2B") else text
 
 
 @pytest.mark.parametrize(
@@ -135,7 +142,7 @@ def test_a_regrade_tells_what_changed_and_nothing_else(tmp_path: Path) -> None:
 
 
 def test_everybody_who_returned_something_gets_a_sheet_that_names_the_reason(tmp_path: Path) -> None:
-    rows = {number: answers(number, halved) for number in NUMBERS[:2]}
+    rows = {number: answers(number, change) for number, change in zip(NUMBERS, (halved, lengthened), strict=False)}
     done = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows), feedback=True)
     sheets = sorted(path.name for path in (tmp_path / "out" / "feedback").iterdir())
     assert sheets == ["2023001_张三.pdf", "2023002__李四.pdf"] and not done.results[2].returned
@@ -144,7 +151,11 @@ def test_everybody_who_returned_something_gets_a_sheet_that_names_the_reason(tmp
         lines = sum(len(page.lines) + len(page.curves) for page in book.pages)
     text = "".join(texts)
     assert all("-S0-F" in page for page in texts), "the sheet's id is not on every page"
-    assert "漏乘 2" in text and "张三" in text and "2023001" in text and lines > 20
+    assert "漏乘 2" in text and "张三" in text and "2023001" in text and lines > 20 and "由前正确" not in text
+    with pdfplumber.open(tmp_path / "out" / "feedback" / sheets[1]) as book:
+        text = book.pages[0].extract_text()
+    verdicts = [len(re.findall(rf"(?<!\S){one}(?!\S)", text)) for one in ("由前正确", "错误", "正确")]
+    assert verdicts == [1, 2, 13]
 
 
 def test_while_answers_can_be_handed_in_again_no_feedback_gives_them_away(tmp_path: Path) -> None:

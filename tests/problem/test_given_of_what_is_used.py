@@ -23,6 +23,14 @@ def test_a_speed_in_turns_a_minute_is_n_and_one_in_radians_omega(name: str, told
     assert [one.startswith(told) for one in speeds] == [True]
 
 
+def test_a_datum_told_in_words_has_its_value_where_the_words_leave_a_gap() -> None:
+    data = [datum for datum in load("cam-roller-load").given.data if datum.words is not None and datum.symbol]
+    assert {datum.symbol for datum in data} >= {"r_3", "x_B", "Q"}
+    for datum in data:
+        told = datum.of("en"), datum.of("zh")
+        assert all(f"= {datum.text}" in one and "{" not in one for one in told), told
+
+
 def test_the_radius_of_an_osculating_circle_keeps_its_letter() -> None:
     steps = [step.words for step in drawn("cam-moves-flat-arm").solution.construction.steps]
     (found,) = [words for words in steps if "Hartmann" in words.en]

@@ -50,6 +50,28 @@ def test_what_is_written_in_another_form_is_told_with_what_to_write(old: str, ne
         loads(FOUR_BAR.replace(old, new))
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "place"),
+    [
+        ("[0 mm, 0 mm]", "0 mm, 0 mm", "frame.0 mm: '0 mm'"),
+        ("branch: [C left of BD]", "guesses: {C: 100 mm, 50 mm}", "guesses.50 mm: '50 mm'"),
+    ],
+)
+def test_coordinates_without_brackets_are_told_at_both_ends_of_the_comma(old: str, new: str, place: str) -> None:
+    with pytest.raises(ProblemFileError) as refused:
+        loads(FOUR_BAR.replace(old, new, 1))
+    first, second = (fault.words.en for fault in refused.value.faults)
+    assert "two values are expected here, in brackets" in first and "outside of brackets" not in first
+    assert f"{place} stands outside of brackets; write coordinates as A: [100 mm, 0 mm]" in second
+
+
+@pytest.mark.parametrize("name", ["B", "Δ"])
+def test_a_point_that_has_one_number_is_told_to_have_two_and_nothing_of_brackets(name: str) -> None:
+    with pytest.raises(ProblemFileError, match="two values are expected here") as refused:
+        loads(FOUR_BAR.replace("{A: [0 mm, 0 mm]", f"{{A: [0 mm, 0 mm], {name}: 5 mm", 1))
+    assert "outside" not in str(refused.value)
+
+
 @pytest.mark.parametrize(("shape", "right"), [("rod", "2 passes through 3"), ("slot", "3 slides in 2")])
 def test_a_block_that_passes_through_its_rod_is_told_the_other_way_round(shape: str, right: str) -> None:
     text = FOUR_BAR.replace(

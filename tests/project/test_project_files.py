@@ -63,7 +63,12 @@ def test_the_file_that_is_damaged_below_is_sound(tmp_path: Path) -> None:
         ("direction: 180 deg", "direction: 90 deg", 14, "resists nowhere"),
         ("load: F_r,", "load: F_x,", 14, "no force of known size is called 'F_x'; known: F_r"),
         ("from: 20 %", "from: 20 %, to: 10 %", 14, "from 20% must be less than to 10%"),
+        ("from: 20 %", "from: 20 %, to: 20 %", 14, "from 20% must be less than to 20%"),
         ("from: 20 %", "from: 20 mm", 14, "'20 mm' must be a number between"),
+        ("from: 20 %", "from: -1 %", 14, "'-1 %' must be a number between 0 and 1"),
+        ("from: 20 %", "from: 20 %, to: 101 %", 14, "'101 %' must be a number between 0 and 1"),
+        ("    round: 1 mm\n", "    round: 1 mm\n    unevenness: 51 %\n", 12, "'51 %' must .* between 1e-06 and 0.5"),
+        ("    round: 1 mm\n", "    round: 1 mm\n    unevenness: 0\n", 12, "'0' must .* between 1e-06 and 0.5"),
         ("from: 20 %", "form: 20 %", 14, "unknown key 'form'"),
         ("    find: [v_C, M_1]", "    also: [3 m]\n    find: [v_C, M_1]", 18, "not an angle"),
         ("    find: [theta", "    also: [3 deg]\n    find: [theta", 8, "'also' is for mechanisms only"),
@@ -88,6 +93,10 @@ def test_a_fault_is_told_with_its_line(tmp_path: Path, old: str, new: str, line:
     assert abs(fault.place.line - line) <= 1, fault.place
     assert re.search(said, str(refused.value.words.en)), refused.value.words.en
     assert re.search("[\u4e00-\u9fff]", refused.value.words.zh)
+
+
+def test_the_whole_stroke_and_the_greatest_unevenness_are_within_the_bounds(tmp_path: Path) -> None:
+    solved(tmp_path, "from: 20 %}", "from: 0 %, to: 100 %}\n    unevenness: 50 %")
 
 
 def test_a_demand_that_fails_is_no_error_but_said(tmp_path: Path) -> None:

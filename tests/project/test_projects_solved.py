@@ -51,6 +51,15 @@ def test_the_load_of_one_stroke_takes_power_wherever_it_acts_and_nowhere_else(na
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_on_the_idle_stroke_all_loads_act_but_the_one_that_works(name: str) -> None:
+    working = moving(name).working
+    loads, idle = working.loaded.loads, working.idle.loads
+    assert working.force is not None and loads is not None and idle is not None
+    there, left = ({one.name for one in some.forces if one.size is not None} for some in (loads, idle))
+    assert there - left == {working.force.name} and left < there
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_the_mean_moment_does_the_work_of_the_load_over_a_cycle(name: str) -> None:
     """Weights and inertia forces do no work in a whole turn: 2π M_m is what the load takes, ∫ F ds."""
     part, force = moving(name), moving(name).working.force

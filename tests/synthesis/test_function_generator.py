@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import vecpoly
 from tests.laws import often
 from tests.synthesis.inversion import posed, solved
+from vecpoly.board.paper.marks import Point
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.designs.base import Design
 from vecpoly.designs.generator.formula import Formula
@@ -179,3 +180,15 @@ def test_trials_that_tell_no_crank_are_refused_with_what_is_wrong() -> None:
     assert solved(problem).answers["AB"].exact == pytest.approx(0.8233498)
     with pytest.raises(NotAskedError, match="in both trials P and Q all but fall together"):
         problem.solve()
+
+
+def test_trials_that_miss_by_as_much_to_either_side_have_the_crank_midway_between_them_by_its_inverse() -> None:
+    """k is linear in 1/AE, and here k_F = −k_E."""
+    read: dict[str, str] = {}
+    for prime in ("", "^′"):
+        read |= {f"P{prime} Q{prime}": "5 mm", f"D P{prime}": "50 mm", f"D Q{prime}": "40 mm"}
+    solution = vecpoly.load("8-18").solve(by="exact", readings=read)
+    figure = next(one for one in solution.construction.figures if one.name == "trial cranks")
+    at = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
+    trials = [figure.scale.value * abs(at[f"{letter}_1"] - at["A"]) for letter in "EF"]
+    assert 2 / solution.answers["AB"].drawn == pytest.approx(sum(1e-3 / length for length in trials), rel=1e-9)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 import vecpoly
@@ -41,3 +43,14 @@ def test_every_linkage_that_answers_has_the_letters_of_its_lengths_on_the_sheet(
     for n in range(valid):
         primes = "′" * n
         assert {f"A{primes}", f"B{primes}_1", f"C{primes}_1", f"D{primes}"} <= labels
+
+
+@pytest.mark.parametrize("name", ["8-9", "8-14"])
+def test_the_first_step_names_every_letter_that_it_puts_on_the_sheet_in_both_languages(name: str) -> None:
+    construction = drawn(name).construction
+    first = next(step for step in construction.steps if step.words.en.startswith("Choose $μ_l$ and draw "))
+    marks = construction.figures[0].marks
+    put = {mark.label[0] for mark in marks if isinstance(mark, Point) and mark.step == first.number and mark.label}
+    said = (re.findall(r"\$(.*?)\$", text) for text in (first.words.zh, first.words.en))
+    zh, en = (set(re.findall("[A-Z]", " ".join(symbols))) for symbols in said)
+    assert zh == en >= put
