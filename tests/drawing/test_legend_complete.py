@@ -99,7 +99,7 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
         ("curv-3", {"path of a point", "osculating circle"}, {"base circle", "outline or connecting line"}),
         ("gear-undercut", {"base circle", "successive positions of the rack"}, {"other positions"}),
         ("curv-4", {"return circle", "osculating circle", "return pole"}, {"normal of a contact"}),
-        ("curv-5", {"places of the pole, moving plane"}, {"return circle"}),
+        ("curv-5", {"pole positions, moving plane"}, {"return circle"}),
         (
             "cam-flat-face",
             {"radius at $φ$ = 60°", "farthest instant centre, rise, return"},
