@@ -7,6 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
+from tests.each import each
 from tests.synthesis.inversion import pose, posed, solved
 from vecpoly.errors import AssemblyError
 from vecpoly.methods.synthesis.inversion.curve import meetings
@@ -32,13 +33,12 @@ def test_circles_over_opposite_sides_with_one_inscribed_angle_meet_in_centre_poi
         assert abs(determinant(FOUR, at)) < 1e-7 * abs(determinant(FOUR, at + 0.1 * (1 + abs(at))))
 
 
-@pytest.mark.parametrize(
-    "poses",
+@each(
     [
         [pose(0, 0, 0), pose(27, 27, 11), pose(57, 60, 34), pose(64, 53, 56)],  # P34 lies on the line of the body
         [pose(0, 0, 0), pose(30, 10, 20), pose(60, 5, 20), pose(85, -20, 50)],  # no turn from 2 to 3
         [pose(0, 0, 0), pose(13, 19, 24), pose(42, 28, 35), pose(60, 30, 35)],  # nor from 3 to 4: P34 is at infinity
-    ],
+    ]
 )
 def test_poles_that_are_hard_to_find_refuse_no_task(poses: list[str]) -> None:
     for line in ("on y = -50 mm", "on x = 19 mm"):
