@@ -12,8 +12,8 @@ class Verdict(Enum):
 
     VALID = Words("可用", "valid")
     OPPOSITE = Words(
-        "$C_1$、$C_2$ 分居 $AD$ 两侧，$A$ 在禁用弧上，摇杆不能连续摆过",
-        "$C_1$ and $C_2$ lie on opposite sides of $AD$: $A$ is on the forbidden arc, the rocker cannot swing across",
+        "$C_1$、$C_2$ 不在 $AD$ 的同一侧，$A$ 在禁用弧上，摇杆不能连续摆过",
+        "$C_1$ and $C_2$ do not lie on one side of $AD$: $A$ is on the forbidden arc, the rocker cannot swing across",
     )
     FAR_ARC = Words(
         "此处弦 $C_{1}C_{2}$ 所张的角是 $180° − θ$ 而不是 $θ$",

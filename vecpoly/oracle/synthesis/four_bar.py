@@ -84,6 +84,7 @@ def _even(one: Any, other: Any, size: float) -> Any:
 
 
 def _across(a_pin: Any, d_pin: complex, c1: complex, c2: complex) -> Any:
-    """Whether the limits lie on either side of AD."""
-    sides = [(np.conj(d_pin - a_pin) * (c - a_pin)).imag for c in (c1, c2)]
-    return sides[0] * sides[1] <= 0
+    """Whether the limits lie on either side of AD, or one of them in its line."""
+    products = [np.conj(d_pin - a_pin) * (c - a_pin) for c in (c1, c2)]
+    in_line = [abs(product.imag) < NEAR * abs(product) for product in products]
+    return (products[0].imag * products[1].imag <= 0) | in_line[0] | in_line[1]
