@@ -85,6 +85,6 @@ def _even(one: Any, other: Any, size: float) -> Any:
 
 def _across(a_pin: Any, d_pin: complex, c1: complex, c2: complex) -> Any:
     """Whether the limits lie on either side of AD, or one of them in its line."""
-    products = [np.conj(d_pin - a_pin) * (c - a_pin) for c in (c1, c2)]
-    in_line = [abs(product.imag) < NEAR * abs(product) for product in products]
-    return (products[0].imag * products[1].imag <= 0) | in_line[0] | in_line[1]
+    frame = d_pin - a_pin
+    one, other = ((np.conj(frame) * (c - a_pin)).imag for c in (c1, c2))
+    return (one * other <= 0) | (np.minimum(abs(one), abs(other)) < NEAR * abs(frame) * abs(c1 - d_pin))

@@ -20,7 +20,7 @@ from ..transmission import least_angle
 
 EVEN = 1e-6  # mm: A on the bisector
 BESIDE = 1e-9  # of the rocker, or of C₁C₂: A in a limit position of C, where AD is as long as CD
-IN_LINE = 1e-9  # rad: a limit position of C on AD
+IN_LINE = 1e-9  # of the rocker: a limit position of C on AD
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,8 +73,8 @@ def _even(a: Any, c1: complex, c2: complex) -> Any:
 def _across(a: Any, d: complex, c1: complex, c2: complex) -> Any:
     """Whether C₁ and C₂ lie on either side of AD, or one of them on it, where the linkage is at a dead point."""
     one, other = (cross(d - a, c - a) for c in (c1, c2))
-    on_it = [np.abs(side) < IN_LINE * distance(a, d) * distance(a, c) for side, c in ((one, c1), (other, c2))]
-    return (one * other <= 0) | on_it[0] | on_it[1]
+    nearest = np.minimum(np.abs(one), np.abs(other))
+    return (one * other <= 0) | (nearest < IN_LINE * distance(a, d) * distance(d, c1))
 
 
 def limits_of(a: Points, d: Points, c1: Points, c2: Points, letters: tuple[str, str, str]) -> Limits:
