@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .board.candidates import Candidate
 from .board.construction import Construction, Reading
+from .designs.base import Design
 from .errors import NotAskedError
 from .problem.problem import Problem
 from .words import Words, bare
@@ -32,10 +33,11 @@ def found_json(construction: Construction, moved: Sequence[Verified]) -> dict[st
     return {"candidates": candidates, "verification": [one.as_json() for one in moved], **told}
 
 
-def answered(construction: Construction, exact: Mapping[str, object]) -> dict[str, Reading]:
+def answered(problem: Problem, construction: Construction, exact: Mapping[str, object]) -> dict[str, Reading]:
     """The readings that are answers: all but those of a synthesis without a solution that have no exact value; a
     solution that is on paper alone is told by `objection`."""
-    return {key: one for key, one in construction.readings.items() if key in exact or not construction.candidates}
+    designs = isinstance(problem.subject, Design)
+    return {key: one for key, one in construction.readings.items() if key in exact or not designs}
 
 
 def conclusion(problem: Problem, candidates: Sequence[Candidate]) -> Words | None:
@@ -140,8 +142,8 @@ def _titled(problem: Problem, count: int) -> Words:
 
 
 def objection(problem: Problem, candidates: Sequence[Candidate]) -> Words | None:
-    """That a synthesis found other candidates on paper than there are; nothing of other problems."""
-    if not candidates:
+    """That a synthesis found other candidates on paper than there are, or none; nothing of other problems."""
+    if not isinstance(problem.subject, Design):
         return None
     from .check.candidates import objection as told  # late: other problems need none of it
 

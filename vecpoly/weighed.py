@@ -29,7 +29,7 @@ def answers_of(
     task: Task, drawn: Drawn, off: Mapping[str, float], size: Mapping[str, float], *, scatters: bool, judged: bool
 ) -> dict[str, Answer]:
     """What was read beside what is exact; `judged`: by the scatter of repeated hands too."""
-    asked, answers, readings = task.asked, {}, answered(drawn.construction, task.truth.values)
+    asked, answers, readings = task.asked, {}, answered(task.problem, drawn.construction, task.truth.values)
     places = {key for key, rel in asked.items() if is_place(rel)}
     read, exact, spread = comparable(readings, task.truth.values, drawn.repeats, places)
     ideal, true, _ = comparable({key: drawn.ideal[key] for key in readings}, task.truth.values, {}, places)

@@ -9,6 +9,7 @@ import pytest
 from tests.synthesis.inversion import posed
 from vecpoly import solve
 from vecpoly.methods.synthesis import plan
+from vecpoly.methods.synthesis.draft import Draft
 from vecpoly.methods.synthesis.inversion import judged
 
 LONG = {"AB": "34 mm", "AD": "81 mm", "pairs": ["23 deg -> 102 deg", "54 deg -> 136 deg", "88 deg -> 151 deg"]}
@@ -29,3 +30,14 @@ def test_a_solution_that_is_on_paper_alone_gives_no_lengths_and_is_told(monkeypa
     assert found.suspect and not {"BC", "CD", "delta_C"} & set(found.answers)
     assert found.construction.warning is not None
     assert "are not those of the closed solution" in found.construction.warning.en
+
+
+def test_a_drawing_that_finds_nothing_where_the_closed_solution_rejects_is_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    data = {"K": "1.5", "CD": "75 mm", "AD": "100 mm", "ADC": "135 deg"}
+    monkeypatch.setattr(Draft, "candidate", lambda *_, **__: None)
+    plan._ideal.cache_clear()
+    found = solve(posed("crank-rocker", **data), by="exact", repeats=0)
+    assert found.suspect and "AB" not in found.answers
+    plan._ideal.cache_clear()

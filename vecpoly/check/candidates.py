@@ -14,9 +14,7 @@ from ..words import Words
 
 def objection(problem: Problem, verdicts: Mapping[int, str]) -> Words | None:
     """What is to be said where the candidates on paper (number: verdict) are not those of the oracle."""
-    if not isinstance(problem.subject, Design):
-        return None
-    exact = {number: one.verdict.name for number, one in enumerate(linkages(problem.subject), 1)}
+    exact = {number: one.verdict.name for number, one in enumerate(linkages(problem.design), 1)}
     if dict(verdicts) == exact:
         return None
     drawn, there = _told(verdicts), _told(exact)
