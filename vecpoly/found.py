@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from .board.candidates import Candidate
 from .board.construction import Construction, Reading
-from .designs.base import Design
 from .errors import NotAskedError
+from .mechanism.model import Mechanism
 from .problem.problem import Problem
 from .words import Words, bare
 
@@ -36,8 +36,8 @@ def found_json(construction: Construction, moved: Sequence[Verified]) -> dict[st
 def answered(problem: Problem, construction: Construction, exact: Mapping[str, object]) -> dict[str, Reading]:
     """The readings that are answers: all but those of a synthesis without a solution that have no exact value; a
     solution that is on paper alone is told by `objection`."""
-    designs = isinstance(problem.subject, Design)
-    return {key: one for key, one in construction.readings.items() if key in exact or not designs}
+    sought = _is_sought(problem)
+    return {key: one for key, one in construction.readings.items() if key in exact or not sought}
 
 
 def conclusion(problem: Problem, candidates: Sequence[Candidate]) -> Words | None:
@@ -143,7 +143,7 @@ def _titled(problem: Problem, count: int) -> Words:
 
 def objection(problem: Problem, candidates: Sequence[Candidate]) -> Words | None:
     """That a synthesis found other candidates on paper than there are, or none; nothing of other problems."""
-    if not isinstance(problem.subject, Design):
+    if not _is_sought(problem):
         return None
     from .check.candidates import objection as told  # late: other problems need none of it
 
@@ -152,3 +152,12 @@ def objection(problem: Problem, candidates: Sequence[Candidate]) -> Words | None
 
 def _valid(candidates: Sequence[Candidate]) -> list[Candidate]:
     return [one for one in candidates if one.reason is None]
+
+
+def _is_sought(problem: Problem) -> bool:
+    """Whether a mechanism is to be found."""
+    if isinstance(problem.subject, Mechanism):
+        return False
+    from .designs.base import Design  # late, likewise
+
+    return isinstance(problem.subject, Design)
