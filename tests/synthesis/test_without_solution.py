@@ -88,7 +88,7 @@ NONE = {  # data of each method that can reject all it finds, and what is asked
 }
 RANGED = (
     *("by AD", "by AB", "by a limit", "by the offset", "by lines", "by a dead centre", "by half a turn"),
-    *("by two positions", "by places of a slider"),
+    *("by two positions", "by places of a slider", "by a function", "by three positions", "by stages"),
 )
 
 
@@ -132,11 +132,12 @@ def test_within_the_range_told_there_is_a_solution_and_beyond_its_ends_none(name
     problem = vecpoly.loads(text(name))
     told = admissible(design_of(problem))
     assert told is not None
-    key, ranges = re.fullmatch(r" With all else as it is, (\w+) may be (.*)\.", told.en).groups()  # type: ignore[union-attr]
+    key, ranges = re.fullmatch(r" With all else as it is, (.+) may be (.*)\.", told.en).groups()  # type: ignore[union-attr]
     unit = ranges.split()[-1]
     for part in ranges.split(" or "):
         ends = [float(end) for end in re.findall(r"-?\d+(?:\.\d+)?", part)]
-        inner = (ends[0] + ends[-1]) / 2 if len(ends) == 2 else ends[0] / 2
+        inner = (ends[0] + ends[-1]) / 2 if len(ends) == 2 else ends[0] / 2 if "least" not in part else 2 * ends[0]
+        inner = 2 * ends[0] if "most" in part and ends[0] < 0 else inner
         assert all(_solves(name, key, value, unit) for value in (*ends, inner) if value not in (0, 360))
         low, high = (ends[0], ends[-1]) if len(ends) == 2 else (None, ends[0])
         for end, way in ((low, -1), (high, 1)):
@@ -145,11 +146,23 @@ def test_within_the_range_told_there_is_a_solution_and_beyond_its_ends_none(name
 
 
 def _solves(name: str, key: str, value: float, unit: str) -> bool:
-    written = re.sub(rf"(\b{key}: (?:on [xy] = )?)-?[\d.]+ {unit}", rf"\g<1>{value:.10f} {unit}", text(name))
+    """With another value of a key in the file, or of what has no key of its own."""
+    if key.isidentifier():
+        written = re.sub(rf"(\b{key}: (?:on [xy] = )?)-?[\d.]+ {unit}", rf"\g<1>{value:.10f} {unit}", text(name))
+    else:
+        written = re.sub(*_PLACES[key], text(name), count=1).replace("VALUE", f"{value:.10f} {unit}")
+        assert written != text(name)
     try:
         return solvable(design_of(vecpoly.loads(written)))
     except VecpolyError:
         return False
+
+
+_PLACES = {  # what is told of, as it stands in the file
+    "the x of B": (r"B: \[[^,]*,", "B: [VALUE,"),
+    "the x of D": (r"D: \[[^,]*,", "D: [VALUE,"),
+    "the end of psi": (r"psi: \[([^,]*), [^\]]*\]", r"psi: [\1, VALUE]"),
+}
 
 
 def test_ends_of_a_range_are_rounded_to_where_there_is_a_linkage() -> None:

@@ -19,6 +19,7 @@ from ..foundation.plugins import load_modules
 from ..names import Named
 from ..units.reading import Dim, Quantity, pure, read
 from ..words import Words
+from .datum import Datum, of_field
 
 MOST = 9  # solutions of a task, at most
 
@@ -88,13 +89,13 @@ class Design(BaseModel):
     """Data of a task of synthesis, frozen; its fields are quantities in SI together with how they were written.
 
     take: which of the solutions is meant by a quantity without a number. omega: of the crank of what is found, where it
-    is to be analysed afterwards; 1 rad/s where nothing is said. varied: the data of which it is told, the first first,
-    where they had to lie if no candidate serves.
+    is to be analysed afterwards; 1 rad/s where nothing is said. ranged: the quantities and lines of which it is told,
+    the first first, where they had to lie if no candidate serves.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     kind: ClassVar[str] = ""
-    varied: ClassVar[tuple[Named, ...]] = ()
+    ranged: ClassVar[tuple[Named, ...]] = ()
     take: Which = 1
     omega: Omega | None = None
 
@@ -141,6 +142,10 @@ class Design(BaseModel):
                 ),
                 code="contradiction",
             )
+
+    def varied(self) -> Iterator[Datum[Design]]:
+        """The numbers of which it is told where they had to lie if no candidate serves, the first first."""
+        return filter(None, (of_field(self, named) for named in self.ranged))
 
     def is_length(self, key: str) -> bool:
         """Whether a quantity is a length that is to be found."""

@@ -34,7 +34,7 @@ class CrankRocker(Design):
     lies on the x axis.
     """
 
-    varied: ClassVar[tuple[Named, ...]] = _VARIED
+    ranged: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "crank-rocker"
     K: Advance
     CD: Length

@@ -24,7 +24,7 @@ _VARIED = (Named("alpha_1", "α_1", "deg"), Named("line_2", "δ_2", "deg"))
 class LimitLines(Design):
     """C₁ and C₂, the directions of the coupler's line there (from the x axis), and the pressure angle α₁ at C₁."""
 
-    varied: ClassVar[tuple[Named, ...]] = _VARIED
+    ranged: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "limit-lines"
     C1: Fixed
     C2: Fixed

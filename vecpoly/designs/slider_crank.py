@@ -23,7 +23,7 @@ _VARIED = (OFFSET, AB, BC, ADVANCE)
 class SliderCrank(Design):
     """K, the stroke H, and the offset e, the crank or the coupler; C₁ is the origin, C₂ on the x axis, A above it."""
 
-    varied: ClassVar[tuple[Named, ...]] = _VARIED
+    ranged: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "slider-crank"
     K: Advance
     H: Length

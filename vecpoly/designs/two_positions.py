@@ -24,7 +24,7 @@ class DeadCentre(Design):
     A is the origin, D on the x axis.
     """
 
-    varied: ClassVar[tuple[Named, ...]] = _DEAD_CENTRE
+    ranged: ClassVar[tuple[Named, ...]] = _DEAD_CENTRE
     kind: ClassVar[str] = "dead-centre"
     AD: Length
     CD: Length
@@ -73,7 +73,7 @@ _DRAG_LINK = (Named("phi_1", "φ_1", "deg"), ADVANCE, AD)
 class DragLink(Design):
     """AD, AB, K, the angles φ₁ of AB and ψ₁ of DC: while DC turns by 180° AB turns by 360°/(K + 1)."""
 
-    varied: ClassVar[tuple[Named, ...]] = _DRAG_LINK
+    ranged: ClassVar[tuple[Named, ...]] = _DRAG_LINK
     kind: ClassVar[str] = "drag-link"
     AD: Length
     AB: Length

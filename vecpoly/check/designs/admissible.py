@@ -11,35 +11,30 @@ from numpy.typing import NDArray
 
 from ...designs.admitted import between
 from ...designs.base import Design
-from ...designs.place import OnLine
+from ...designs.datum import Datum
 from ...designs.verdict import Verdict
 from ...errors import VecpolyError
-from ...names import Named
 from ...oracle.synthesis.registry import candidates
-from ...units.reading import Quantity
 from ...words import Words
 
 TRIED = 240  # places of a datum that are looked at
 HALVINGS = 30  # between one that serves and one that does not
 LONGEST = 30.0  # sizes of the task: a length that is tried; the shortest is as much smaller, and one figure more
 GREATEST = 6.0  # a time ratio that is tried
-Datum = Quantity | OnLine
 Places = NDArray[np.float64]
 
 
 def admissible(design: Design) -> Words | None:
     """A sentence: the range of the first datum that may be told (`varied`) with which there is a solution, of an angle
     that of its own sign first; None where no such datum has one."""
-    for named in design.varied:
-        if (given := getattr(design, named.key, None)) is None:
-            continue
-        serves = _serves(design, named.key, given)
-        rows = ([*_ranges(serves, *tried, _value(given))] for tried in _tried(design, named, given))
+    for datum in design.varied():
+        serves = _serves(datum)
+        rows = ([*_ranges(serves, *tried, datum.value)] for tried in _tried(design, datum))
         if ranges := next(filter(None, rows), None):
-            told = between([(_told(low, named.unit), _told(high, named.unit)) for low, high in ranges], named.unit)
+            told = between([(_told(low, datum.unit), _told(high, datum.unit)) for low, high in ranges], datum.unit)
             return Words(
-                f"其余数据不变时，{named.key} 可取{told.zh.rstrip()}。",
-                f" With all else as it is, {named.key} may be {told.en}.",
+                f"其余数据不变时，{datum.name.zh}{' ' * datum.name.zh[-1].isascii()}可取{told.zh.rstrip()}。",
+                f" With all else as it is, {datum.name.en} may be {told.en}.",
             )
     return None
 
@@ -48,41 +43,30 @@ def _told(end: float, unit: str) -> float:
     return degrees(end) if unit == "deg" else 1e3 * end if unit == "mm" else end
 
 
-def _tried(design: Design, named: Named, given: Datum) -> Iterator[tuple[Places, tuple[float, float]]]:
+def _tried(design: Design, datum: Datum[Design]) -> Iterator[tuple[Places, tuple[float, float]]]:
     """The places of a datum to look at (SI), in order; the ends of a row that goes on as far as they do."""
     most = LONGEST * design.size
-    if isinstance(given, OnLine):
+    if datum.signed:
         yield design.size * np.tan(np.linspace(-atan(LONGEST), atan(LONGEST), 2 * TRIED + 1)), (-inf, inf)
-    elif named.unit == "mm":
+    elif datum.unit == "mm":
         yield np.geomspace(most / LONGEST**2 / 10, most, TRIED), (-inf, inf)
-    elif named.unit == "deg":
-        for whole in (2 * pi, -2 * pi) if given.si >= 0 else (-2 * pi, 2 * pi):
+    elif datum.unit == "deg":
+        for whole in (2 * pi, -2 * pi) if datum.value >= 0 else (-2 * pi, 2 * pi):
             yield np.sort(np.linspace(0.0, whole, TRIED + 1)), (min(0.0, whole), max(0.0, whole))
     else:
         yield np.geomspace(1.0, GREATEST, TRIED), (-inf, inf)
 
 
-def _serves(design: Design, name: str, given: Datum) -> Callable[[float], bool]:
+def _serves(datum: Datum[Design]) -> Callable[[float], bool]:
     """Whether there is a solution with another value of a datum."""
 
     def serves(value: float) -> bool:
         try:
-            varied = type(design)(**(dict(design) | {name: _valued(given, value)}))
-            return any(one.verdict is Verdict.VALID for one in candidates(varied))
+            return any(one.verdict is Verdict.VALID for one in candidates(datum.put(value)))
         except (VecpolyError, ValueError):  # pydantic's is one
             return False
 
     return serves
-
-
-def _value(given: Datum) -> float:
-    return given.si if isinstance(given, Quantity) else (given.at.real if given.along == 1j else given.at.imag)
-
-
-def _valued(given: Datum, value: float) -> Datum:
-    if isinstance(given, OnLine):
-        return OnLine(complex(value) if given.along == 1j else 1j * value, given.along, f"{value:.17g}")
-    return Quantity(value, f"{value:.17g}")
 
 
 def _ranges(

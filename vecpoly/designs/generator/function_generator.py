@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import partial
 from math import cos, degrees, isclose
 from typing import Any, ClassVar
 
@@ -12,9 +13,12 @@ from pydantic import model_validator
 from ...devices.base import Angle, Length
 from ...errors import FaultError
 from ...names import Named
+from ...units.reading import Quantity
 from ...words import Words
 from ..base import Design
+from ..datum import Datum, put, quantity
 from ..inversion.built import posed_four_bar
+from ..inversion.paired import of_pairs
 from ..inversion.written import Corresponding, Pair
 from ..quantities import FOUR_BAR
 from .formula import Function, Number, Value
@@ -128,6 +132,24 @@ class FunctionGenerator(Design):
         of_y = (self.y(self.x_at(share)) - low) / (high - low)
         (phi, phi_end), (psi, psi_end) = self.phi, self.psi
         return phi.si + share * (phi_end.si - phi.si), psi.si + of_y * (psi_end.si - psi.si)
+
+    # -- where the data had to lie ---------------------------------------------------------------------------
+
+    def varied(self) -> Iterator[Datum[Design]]:
+        """The angles of the output link; of a function the ends of both ranges."""
+        if self.pairs is not None:
+            yield from of_pairs(self, self.pairs)
+        for name in ("psi", "phi"):
+            if (ends := getattr(self, name)) is not None:
+                yield Datum(
+                    name=Words(f"{name} 的终值", f"the end of {name}"),
+                    unit="deg",
+                    value=ends[1].si,
+                    put=partial(self._ending, name, ends[0]),
+                )
+
+    def _ending(self, name: str, start: Quantity, end: float) -> Design:
+        return put(self, {name: (start, quantity(end))})
 
     # -- as every design ------------------------------------------------------------------------------------
 

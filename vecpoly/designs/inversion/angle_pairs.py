@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import degrees
 from typing import Any, ClassVar
 
@@ -13,10 +13,12 @@ from ...errors import FaultError
 from ...names import Named
 from ...words import Words
 from ..base import Design, Which
+from ..datum import Datum
 from ..place import Carried
 from ..quantities import AB, BC, FOUR_BAR
 from .built import posed_four_bar, posed_slider_crank
 from .loops import Hinged, Sliding
+from .paired import of_pairs
 from .plan import FRAME, Body, Find, On, Pin, Plan, Position, Slide
 from .written import Corresponding, on, said
 
@@ -33,7 +35,7 @@ class AnglePairs(Design):
     onto: the position in which the link that is sought on is kept. A is the origin, D lies on the x axis.
     """
 
-    varied: ClassVar[tuple[Named, ...]] = _VARIED
+    ranged: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "angle-pairs"
     pairs: tuple[Corresponding, ...]
     AB: Length | None = None
@@ -70,6 +72,11 @@ class AnglePairs(Design):
     def slides(self) -> bool:
         """Whether the output is a slider."""
         return self.pairs[0].slides
+
+    def varied(self) -> Iterator[Datum[Design]]:
+        """The crank or the guide; what belongs to its angle in each pair."""
+        yield from super().varied()
+        yield from of_pairs(self, self.pairs)
 
     def quantities(self) -> tuple[Named, ...]:
         """The lengths, and by how much the sought pin is ahead of the line of its link."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Any, ClassVar
 
 from pydantic import Field, model_validator
@@ -11,12 +12,13 @@ from ...errors import FaultError
 from ...names import Named
 from ...words import Words
 from ..base import Design, Which
+from ..datum import Datum, of_point, put_in
 from ..place import Carried
 from ..quantities import FOUR_BAR, TURN_AB, TURN_AD, TURN_DC
 from .built import posed_four_bar
 from .loops import Hinged
 from .plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage
-from .written import Place, Pose, on, said
+from .written import Place, Point, Pose, on, said
 
 _BODY = "S"
 MANY = 4  # positions: neither end of a bar is given, and how many linkages there are comes out
@@ -31,7 +33,7 @@ class Positions(Design):
     onto: the position in which the body is kept where it is taken for the frame.
     """
 
-    varied: ClassVar[tuple[Named, ...]] = _VARIED
+    ranged: ClassVar[tuple[Named, ...]] = _VARIED
     kind: ClassVar[str] = "positions"
     poses: tuple[Pose, ...]
     body: dict[str, Place] = Field(default_factory=dict)
@@ -86,6 +88,16 @@ class Positions(Design):
 
     def _line(self, letter: str) -> Carried | None:
         return {"A": self.A, "B": self.B, "C": self.C, "D": self.D}[letter]
+
+    def varied(self) -> Iterator[Datum[Design]]:
+        """Where the lines lie; the places of the pins."""
+        yield from super().varied()
+        for key, places in (("body", self.body), ("frame", self.frame)):
+            for letter, place in places.items():
+                yield from of_point(Words.same(letter), place.at, partial(self._moved, key, letter))
+
+    def _moved(self, key: str, letter: str, at: complex) -> Design:
+        return put_in(self, key, letter, Point(at, f"{at:.17g}"))
 
     def quantities(self) -> tuple[Named, ...]:
         """The four lengths, and the directions of AB, DC and AD in the first position."""

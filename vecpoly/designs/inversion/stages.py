@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Any, ClassVar
 
 from pydantic import Field, model_validator
 
 from ...devices.base import Length
 from ...names import Named
+from ...words import Words
 from ..base import Design
+from ..datum import Datum, of_point, put_in, quantity
 from .assembling import Assembly
 from .chain import chain
 from .plan import Find, Plan
 from .step import Step
-from .written import Direction, Place, told_angle
+from .written import Direction, Place, Point, told_angle
 
 
 class Stages(Design):
@@ -32,6 +35,26 @@ class Stages(Design):
     def _whole(self) -> Stages:
         self.plan()
         return self
+
+    def varied(self) -> Iterator[Datum[Design]]:
+        """The lengths of links, the fixed pivots but the first, the last direction of each ray."""
+        for letters, length in self.links.items():
+            name, longer = Words.same(letters), partial(self._longer, letters)
+            yield Datum(name=name, unit="mm", value=length.si, put=longer)
+        for letter, place in [*self.frame.items()][1:]:
+            yield from of_point(Words.same(letter), place.at, partial(self._moved, letter))
+        for letters, angles in self.rays.items():
+            name = Words(f"{letters} 的末一方向角", f"the last direction of {letters}")
+            yield Datum(name=name, unit="deg", value=angles[-1].si, put=partial(self._turned, letters))
+
+    def _longer(self, letters: str, si: float) -> Design:
+        return put_in(self, "links", letters, quantity(si))
+
+    def _moved(self, letter: str, at: complex) -> Design:
+        return put_in(self, "frame", letter, Point(at, f"{at:.17g}"))
+
+    def _turned(self, letters: str, si: float) -> Design:
+        return put_in(self, "rays", letters, (*self.rays[letters][:-1], quantity(si)))
 
     def quantities(self) -> tuple[Named, ...]:
         """The lengths of all links that are found, loop by loop; by how much pins are ahead of the lines of links."""
