@@ -6,7 +6,8 @@ import re
 
 import pytest
 
-from vecpoly.errors import ProblemFileError
+from vecpoly.errors import ProblemFileError, UnknownNameError
+from vecpoly.grading.reading.symbol import keyed
 from vecpoly.problem.load import loads
 
 FOUR_BAR = """
@@ -87,3 +88,12 @@ def test_a_question_mark_of_a_chinese_keyboard_is_the_unknown_load(written: str)
     told = f"loads: {{M_3: {{on: 3, size: 9 N*m}}, M_1: {{on: 1, size: {written}}}}}\n"
     found = loads(FOUR_BAR.replace("[omega_3]", "[M_1]") + told).loads
     assert found is not None and found.unknown.name == "M_1"
+
+
+def test_a_bar_that_is_asked_may_be_called_by_its_ends_either_way_round() -> None:
+    text = "id: t\ntitle: t\nsynthesis: crank-rocker\ndata: {K: 1.4, CD: 56 mm, swing: 44 deg, AB: 16 mm}\n"
+    asked = loads(text + "find: [DC, CB_2]\n")
+    assert [ask.rel.key for ask in asked.asks] == ["CD", "BC_2"]
+    assert keyed("DC", ["CD", "BC_2"]) == "CD" and keyed("l_{CB}2", ["CD", "BC_2"]) == "BC_2"
+    with pytest.raises(UnknownNameError):
+        keyed("v_BC", ["v_CB"])  # the opposite vector

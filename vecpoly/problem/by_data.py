@@ -30,6 +30,7 @@ from .text.source import Tree
 from .values.written import written_of
 
 _AT_PLACE = re.compile(r"([a-zA-Z]+)_(\d+(?:\.\d+)?)")
+_BAR = re.compile(r"^([A-Z])([A-Z])((?:_\d+)?)$")  # by its ends
 _STATIONS = 6  # names with one stem, at least, that are places
 
 Subject = devices.Device | designs.Design
@@ -176,6 +177,9 @@ def _wanted(
 
 
 def _known(key: str, named: dict[str, Named], sort: Sort) -> Named:
+    """What is asked by this key; DC where the bar is called CD, and DC_2."""
+    if key not in named:
+        key = turned if (turned := _BAR.sub(r"\2\1\3", key)) in named else key
     if key not in named:
         raise FaultError(
             Words(

@@ -45,8 +45,8 @@ def keyed(symbol: str, keys: Iterable[str]) -> str:
     if symbol in known:
         return symbol
     want = squeezed(symbol)
-    for same in (str, str.lower, _latin):
-        found = [key for key in known if same(squeezed(key)) == same(want)]
+    for same, meant in ((str, want), (str.lower, want), (_latin, want), (str, _other_way(want))):
+        found = [key for key in known if same(squeezed(key)) == same(meant)]
         if len(found) == 1:
             return found[0]
         if found:
@@ -65,6 +65,11 @@ def keyed(symbol: str, keys: Iterable[str]) -> str:
         ),
         code="unknown-symbol",
     )
+
+
+def _other_way(bar: str) -> str:
+    """CD for DC, or for l_DC: a bar by its ends, the other way round."""
+    return re.sub(r"^l?([A-Z])([A-Z])(?=\d*$)", r"\2\1", bar)
 
 
 def _latin(text: str) -> str:
