@@ -12,7 +12,7 @@ from tests import drawn_library
 from tests.drawn_library import drawn, ids
 from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
-from vecpoly.board.paper.marks import AngleMark, Disc, Outline, Role, Segment, Vector
+from vecpoly.board.paper.marks import AngleMark, Disc, Ground, LinkNumber, Outline, Role, Segment, Vector
 
 NEAR = 0.01  # mm
 
@@ -67,6 +67,20 @@ def test_wedges_planes_clamps_rings_and_screws_are_drawn_apart() -> None:
         SKETCHED
     )
     assert [sum(len(reactions(f)) for f in apart(name)) for name in ("4-2", "5-2", "5-4")] == [4, 2, 4]
+
+
+@each(drawn_library.IDS)
+def test_every_link_that_has_a_number_is_drawn(name: str) -> None:
+    for figure in drawn(name).figures(View.MECHANISM):
+        if not figure.name:
+            numbered = {mark.owner for mark in figure.marks if isinstance(mark, LinkNumber)}
+            assert numbered <= {mark.owner for mark in figure.marks if not isinstance(mark, LinkNumber)}
+
+
+@each(SKETCHED)
+def test_a_sketch_of_bodies_shows_what_stands(name: str) -> None:
+    figure = drawn(name).figures(View.MECHANISM)[0]
+    assert any(isinstance(m, Ground) or (isinstance(m, Outline) and m.fixed) for m in figure.marks)
 
 
 @each(IDS)
