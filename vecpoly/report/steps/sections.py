@@ -15,6 +15,7 @@ from ..content import Objects
 from ..flow.results.abreast import abreast
 from ..on_paper import on_paper
 from ..tables import listed
+from .inset import equation_of
 from .lines import chained, displayed, with_results
 from .rows import in_runs, lead_of, rows_table
 
@@ -41,7 +42,7 @@ def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Ma
     return {
         "n": step.number,
         "words": with_results(on_paper(step.words.of(lang), solution), step, solution, lang),
-        "equation": objects.add("eq", step.equation) if step.equation else "",
+        "equation": objects.add("eq", equation_of(step, step.equation, solution, lang)) if step.equation else "",
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
         "formulas": [objects.add("f", one) for one in abreast(lines)],
     }
