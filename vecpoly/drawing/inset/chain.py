@@ -7,9 +7,8 @@ from itertools import groupby
 
 from ...board.construction import EquationTable, Figure, Step
 from ...board.paper.marks import Vector
-from ...board.paper.tones import key_of
+from ...board.paper.tones import key_of, known_as
 from ...foundation.slotted import dataclass
-from ...names import ascii_key
 
 ONE = 0.01  # mm: nearer than this is one place
 Drawn = tuple[Vector, ...]
@@ -66,7 +65,7 @@ def _sides(equation: EquationTable) -> list[list[str]]:
     numbered: list[tuple[int, str]] = []
     for symbol, sign in zip(equation.symbols, equation.signs, strict=True):
         count += sign == "="
-        numbered.append((count, ascii_key(symbol)))
+        numbered.append((count, known_as("", symbol)))
     return [[key for _, key in some] for _, some in groupby(numbered, key=lambda one: one[0])]
 
 

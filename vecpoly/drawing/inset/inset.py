@@ -12,15 +12,15 @@ from ...foundation.slotted import dataclass, replace
 from ...words import Lang
 from ..figure import Bare
 from ..scene import Rect, Scene
-from .chain import Chain, chain_of, is_one
+from .chain import ONE, Chain, chain_of, is_one
 from .letters import lettered
 
 SHARE = 0.64  # of its size on a sheet is everything that has a size of its own: letters, heads, widths of lines
 MANY = 8  # vectors: a polygon with more is looked at on the sheet
-SHORT, FLAT = 1.2, 3.0  # mm on the page: of the shortest vector, and across the whole polygon, at least
+SHORT, FLAT = 1.2, 2.2  # mm on the page: of the shortest vector, and across the whole polygon, at least
 PAST = 2.8  # mm of the sheet by which a line runs past the point that it finds
 EDGE = 4.0  # mm of the sheet for letters on each side, at first
-TRIES = 3
+TRIES, SPARE = 3, 0.2 + 0.2j  # sizes tried; mm by which the next one is smaller than it seems to need
 
 Placed = TypeVar("Placed", Vector, Segment, Point)
 
@@ -77,23 +77,19 @@ class Outline:
 def inset(outline: Outline, lang: Lang, width: float, height: float) -> Scene | None:
     """The figure for so many mm of the page, in mm of the sheet: it is drawn `SHARE` as large; None where no size that
     has room there can be read."""
-    room, spare = (width / SHARE, height / SHARE), complex(2 * EDGE, 2 * EDGE)
+    e, wide, high, edges = outline.extent, width / SHARE, height / SHARE, complex(2 * EDGE, 2 * EDGE)
     for _ in range(TRIES):
-        e = outline.extent
-        wide, high = max(room[0] - spare.real, 1.0), max(room[1] - spare.imag, 1.0)
-        factor = min(wide / max(e.width, 1e-6), high / max(e.height, 1e-6))
-        if not outline.is_legible(factor):
-            return None
+        factor = min(max(wide - edges.real, 1.0) / max(e.width, ONE), max(high - edges.imag, 1.0) / max(e.height, ONE))
         figure, corners = outline.at(factor)
         bare = Bare.of(figure, lang)
-        letters = lettered(bare, corners)
+        letters = lettered(bare, corners) if outline.is_legible(factor) else None
         if letters is None:
             return None
         scene = Scene.of(bare.items + tuple(item for one in letters for item in one.items()))
-        if scene.extents.width <= room[0] and scene.extents.height <= room[1]:
+        own = scene.extents
+        if own.width <= wide and own.height <= high:
             return scene
-        over = complex(max(scene.extents.width - room[0], 0.0), max(scene.extents.height - room[1], 0.0))
-        spare += 1.05 * over + complex(0.1, 0.1)
+        edges = complex(own.width - factor * e.width, own.height - factor * e.height) + SPARE
     return None
 
 

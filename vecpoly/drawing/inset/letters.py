@@ -82,19 +82,16 @@ def _free(
     half = np.array([-want.width, -want.height, want.width, want.height]) / 2
     boxes = np.array([(z.real, z.imag, z.real, z.imag) for z, _ in spots]) + half
     others = np.array([[z, z] for z in corners if abs(z - want.own[0]) > APART and abs(z - want.own[1]) > APART])
-    taken = _near(boxes, lines, wide + CLEAR).any(axis=1)
+    taken = _near(boxes, lines, wide + CLEAR)
     if len(others):
-        taken |= _near(boxes, others, np.full(len(others), APART + CLEAR)).any(axis=1)
-    narrow = sum(_near(boxes, lines, wide + room).any(axis=1).astype(int) for room in ROOMS)
-    return [
-        _Spot(want, z, cost + NARROW * less)
-        for (z, cost), on, less in zip(spots, taken, np.asarray(narrow), strict=True)
-        if not on
-    ]
+        taken |= _near(boxes, others, np.full(len(others), APART + CLEAR))
+    narrow = np.sum([_near(boxes, lines, wide + room) for room in ROOMS], axis=0)
+    costs = [cost + NARROW * less for (_, cost), less in zip(spots, narrow.tolist(), strict=True)]
+    return [_Spot(want, z, cost) for (z, _), cost, on in zip(spots, costs, taken.tolist(), strict=True) if not on]
 
 
 def _near(boxes: Boxes, lines: NDArray[np.complex128], by: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Whether each box, grown by so much, meets each line."""
+    """Whether each box, grown by so much, meets a line."""
     first, last = np.zeros((len(boxes), len(lines))), np.ones((len(boxes), len(lines)))
     for part, low, high in ((lines.real, 0, 2), (lines.imag, 1, 3)):
         start, way = part[:, 0], part[:, 1] - part[:, 0]
@@ -102,7 +99,7 @@ def _near(boxes: Boxes, lines: NDArray[np.complex128], by: NDArray[np.float64]) 
         one = (boxes[:, low, None] - by - start) / way
         two = (boxes[:, high, None] + by - start) / way
         first, last = np.maximum(first, np.minimum(one, two)), np.minimum(last, np.maximum(one, two))
-    result: NDArray[np.bool_] = first <= last
+    result: NDArray[np.bool_] = np.any(first <= last, axis=1)
     return result
 
 

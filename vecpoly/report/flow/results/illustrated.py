@@ -102,7 +102,7 @@ def _places(displays: list[Display]) -> Iterator[_Place]:
         if some := displays[first:]:
             high = _room_up(some)
             _, right = _reach(some[: _count(some, high * MM)])
-            if (wide := COLUMN / MM - CLEAR - right) >= NARROW and (not first or high >= LOW):
+            if (wide := COLUMN / MM - CLEAR - right) >= NARROW and (not first or _high(some, COLUMN) >= LOW * MM):
                 yield _Place(first, 0.0, min(wide, WIDE), high)
     high = _room_up(displays)
     _, right = _reach(displays[: _count(displays, high * MM)])
