@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 from math import tau
 
 import numpy as np
@@ -17,7 +17,7 @@ from ..scene import Fill, Item, Rect, Stroke
 from ..weighing.placed import Placed
 
 CLEAR, ROOMS = 0.6, (1.0, 1.6)  # mm of the sheet that a letter keeps of every line, and that it would rather have
-APART = 1.0  # mm between two letters, and to a corner that it does not name
+APART = 1.5  # mm between two letters, and to a corner that it does not name
 WAYS, GAPS = 16, (0.5, 1.4, 2.6)  # about a corner; mm beside it
 NARROW, OUTWARD, FARTHER, OFF_MIDDLE = 1.0, 0.7, 0.6, 0.15  # what a place costs, and what it gains
 _ROUND, _SOME = 8, 4  # of a circle so many points will do
@@ -106,20 +106,19 @@ def _near(boxes: Boxes, lines: NDArray[np.complex128], by: NDArray[np.float64]) 
 def _about(want: Want, middle: complex) -> Iterable[tuple[complex, float]]:
     """Places all round a corner, each with what it costs."""
     at, out = want.feet[0], _way(want.feet[0] - middle)
-    for gap in GAPS:
-        for n in range(WAYS):
-            u = cmath.rect(1.0, tau * n / WAYS)
-            side = complex(want.width / 2 * _soft(u.real), want.height / 2 * _soft(u.imag))
-            yield at + (want.radius + gap + CLEAR) * u + side, _cost(u, out) + FARTHER * GAPS.index(gap)
+    for gap, n in product(GAPS, range(WAYS)):
+        u = cmath.rect(1.0, tau * n / WAYS)
+        side = complex(want.width / 2 * _soft(u.real), want.height / 2 * _soft(u.imag))
+        yield at + (want.radius + gap + CLEAR) * u + side, _cost(u, out) + FARTHER * GAPS.index(gap)
 
 
 def _along(want: Want, middle: complex) -> Iterable[tuple[complex, float]]:
     """Places on both sides of a vector that has its own symbol."""
     for n, (foot, normal) in enumerate(zip(want.feet, want.normals, strict=True)):
         out = _way(foot - middle)
-        for u in (normal, -normal):
-            away = want.radius + GAPS[0] + CLEAR + (abs(u.real) * want.width + abs(u.imag) * want.height) / 2
-            yield foot + away * u, _cost(u, out) + OFF_MIDDLE * n
+        for u, gap in product((normal, -normal), GAPS):
+            away = want.radius + gap + CLEAR + (abs(u.real) * want.width + abs(u.imag) * want.height) / 2
+            yield foot + away * u, _cost(u, out) + OFF_MIDDLE * n + FARTHER * GAPS.index(gap)
 
 
 def _cost(way: complex, out: complex) -> float:
