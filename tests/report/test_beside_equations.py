@@ -8,9 +8,13 @@ from typing import Any
 import pytest
 
 from tests.studies import solved
+from tests.texts import equation
+from vecpoly.algebra.formula import row
 from vecpoly.report.document import markup
 from vecpoly.report.flow.base import Tightness
+from vecpoly.report.flow.blocks import Drawing
 from vecpoly.report.flow.equation import EquationFlow
+from vecpoly.report.flow.formula import Formula
 from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.flow.results.illustrated import CLEAR, LOW, NARROW, WIDE, Beside, illustrated
 from vecpoly.report.flow.xml import to_flowables
@@ -78,12 +82,22 @@ def test_a_wide_equation_has_its_figure_beside_the_lines_worked_out_under_it() -
     assert not any(isinstance(one, EquationFlow) for one in blocks[at].displays)
 
 
-def test_an_equation_that_is_too_wide_with_few_lines_under_it_moves_to_the_left_with_them_all() -> None:
-    (one,) = (one for one in figured("5-5") if one.aside)
-    blocks, _ = story([solved("5-5")])
-    behind = [other for other in blocks if isinstance(other, Beside) and other.figure is None]
-    assert all(other.aside == one.aside for other in behind)
-    assert isinstance(one.displays[0], EquationFlow) and one.displays[0].inset is None
+@pytest.mark.parametrize(("wide", "aside"), [(44.0, True), (30.0, True), (18.0, False)])
+def test_an_equation_too_wide_with_few_lines_under_it_moves_left_with_them_as_far_as_it_must(
+    wide: float, aside: bool
+) -> None:
+    figure = Drawing(wide, 15.0, lambda canvas, x, y: None, "a polygon")
+    flow = EquationFlow(equation(6), "en", inset=lambda width, height: figure if width >= wide else None)
+    lines = [Formula(row(f"v_C = {n} m/s")) for n in range(2)]
+    beside, *behind = illustrated([flow, *lines])
+    assert behind and isinstance(beside, Beside) and bool(beside.aside) == aside
+    assert all(isinstance(one, Beside) == aside for one in behind)
+    shown = [display for one in (beside, *behind) for display in (one.displays if isinstance(one, Beside) else [one])]
+    assert len(shown) == 3
+    _, right = beside.displays[0].reach
+    assert right - beside.aside + CLEAR <= COLUMN / MM - wide + 1e-6
+    assert not aside or right - beside.aside + CLEAR == pytest.approx(COLUMN / MM - wide)
+    assert {getattr(one, "aside", 0.0) for one in behind} <= {beside.aside}
 
 
 def test_the_place_is_as_high_as_the_displays_and_a_narrow_one_is_left_blank() -> None:

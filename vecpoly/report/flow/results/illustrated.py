@@ -90,9 +90,9 @@ def _beside(displays: list[Display], inset: Inset) -> list[Block]:
         figure = inset(place.width, place.height)
         if figure is not None:
             before, some = displays[: place.first], displays[place.first :]
-            count = _count(some, figure.size[1])
-            behind = [Beside([one], None, place.aside) if place.aside else one for one in some[count:]]
-            return [*before, Beside(some[:count], figure, place.aside), *behind]
+            count, aside = _count(some, figure.size[1]), max(0.0, place.aside - place.width + figure.size[0] / MM)
+            behind = [Beside([one], None, aside) if aside else one for one in some[count:]]
+            return [*before, Beside(some[:count], figure, aside), *behind]
     return [*displays]
 
 
