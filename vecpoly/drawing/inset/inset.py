@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TypeVar
 
 from ...board.construction import Construction, Figure, Step
-from ...board.paper.marks import Mark, Point, Role, Segment, Vector
+from ...board.paper.marks import Mark, Point, Role, Segment
 from ...board.strokes import OVERRUN
 from ...foundation.slotted import dataclass, replace
 from ...words import Lang
@@ -22,8 +21,6 @@ PAST = 2.8  # mm of the sheet by which a line runs past the point that it finds
 EDGE = 4.0  # mm of the sheet for letters on each side, at first
 TRIES, SPARE = 3, 0.2 + 0.2j  # sizes tried; mm by which the next one is smaller than it seems to need
 
-Placed = TypeVar("Placed", Vector, Segment, Point)
-
 
 @dataclass(frozen=True, slots=True)
 class Outline:
@@ -36,7 +33,7 @@ class Outline:
 
     @classmethod
     def of(cls, construction: Construction, step: Step) -> Outline | None:
-        """Of a step; None where it draws no polygon, one of too many vectors, or one on a single line."""
+        """Of a step; None where it draws no polygon, or one of too many vectors."""
         figure = None if step.view is None else construction.figure(step.view)
         chain = None if figure is None else chain_of(figure, step)
         if figure is None or chain is None or len(chain.vectors) > MANY:
