@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from copy import copy
+
 from ...algebra.formula import Node, Row, Sym, Vec, row, sym
 from ...board.construction import EquationTable
 from ...drawing.hues import hue_of
@@ -17,7 +20,10 @@ from ...typeset.runs import run
 from ...typeset.words import layout_words
 from ...words import Lang, Words, bare
 from .base import Block, Tightness
+from .blocks import Drawing
 from .style import BODY
+
+Inset = Callable[[float, float], Drawing | None]  # the small figure beside it, in a place so many mm wide and high
 
 CAPTIONS = (Words("方向", "Direction"), Words("大小", "Magnitude"))
 _ROW_SKIP = 1.7  # mm between the rows
@@ -68,15 +74,26 @@ def vector(symbol: str) -> Node:
 
 
 class EquationFlow(Block):
-    """An equation table; too wide, it is set smaller, then broken between two terms."""
+    """An equation table; too wide, it is set smaller, then broken between two terms.
+
+    inset: draws its polygon, for whoever finds a place beside it (`results/illustrated.py`).
+    """
 
     role = Role.FORMULA
     pieces = True
 
-    def __init__(self, table: EquationTable, lang: Lang = "zh", size: float = BODY.size) -> None:
+    def __init__(
+        self, table: EquationTable, lang: Lang = "zh", size: float = BODY.size, inset: Inset | None = None
+    ) -> None:
         super().__init__(6.0, 8.0)
-        self.table, self.lang, self._size = table, lang, size
+        self.table, self.lang, self._size, self.inset = table, lang, size, inset
         self._grids: dict[float, _Grid] = {}  # by width; one for the table and all its copies
+
+    def alone(self) -> EquationFlow:
+        """A copy without the figure."""
+        own = copy(self)
+        own.inset = None
+        return own
 
     def tighten(self, degree: Tightness) -> None:
         """Its last row never so near to the line below that it looks like one more."""
@@ -97,11 +114,18 @@ class EquationFlow(Block):
             self._grids[width] = _fit(self.table, self.lang, self._size / MM, width / MM)
         return self._grids[width]
 
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Where its ink begins and ends in the column (mm)."""
+        grid = self.set_in(self.width)
+        widest = max(_width(grid, group) for group in grid.groups)
+        left = max(0.0, (self.width / MM - widest) / 2)
+        return left, left + widest
+
     def draw(self) -> None:
         """Draw every group of columns under the other."""
         grid, ink = self.set_in(self.width), Ink(self.canv)
-        widest = max(_width(grid, group) for group in grid.groups)
-        left = max(0.0, (self.width / MM - widest) / 2)
+        left, _ = self.reach
         y = self.height / MM
         tag = Tag(Role.FORMULA, self.tag.within, _said(self.table, tree_of(self.canv).lang))
         marks = _Pieces(tree_of(self.canv), tag)

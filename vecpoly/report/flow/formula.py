@@ -100,6 +100,11 @@ class Formula(Block):
                 return start
         return max(0.0, (room - wide) / 2)
 
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Where its ink begins and ends in the column (mm)."""
+        return self._left, self._left + max(x + box.width for x, box in self._lines)
+
     def draw(self) -> None:
         """Draw the lines as one group."""
         ink, lang = Ink(self.canv), tree_of(self.canv).lang

@@ -22,6 +22,7 @@ from .cover import Cover, TitleBlock
 from .equation import EquationFlow
 from .formula import Formula, in_columns
 from .para import Para, numbered
+from .results.illustrated import illustrated
 from .style import CAPTION, NOTE
 from .table import DataTable
 
@@ -141,7 +142,7 @@ class _Reader:
                 out[-1].keepWithNext = 1  # the box of answers stands with the last step
             out.extend(reader(child))
         in_columns(out)
-        return out
+        return illustrated(out)
 
     def _paragraph(self, element: Element) -> list[Any]:
         para = Para(_text(element), None, self._lang)
@@ -214,8 +215,7 @@ class _Reader:
             number = child.attributes.get("n", str(i))
             sentence = numbered(f"{number}.", _plain(child), self._lang)
             sentence.keepWithNext = int(bool(child.children))
-            item = Tag(Role.ITEM, steps)
-            body = Tag(Role.BODY, item)
+            body = Tag(Role.BODY, item := Tag(Role.ITEM, steps))
             sentence.put_in_list(item, body)
             out.append(sentence)
             for block in self.read(Element("step", {}, child.line, "", child.children)):

@@ -12,9 +12,11 @@ from ...solution import Solution
 from ...words import Lang
 from ..answers.alike import lines_of_twins
 from ..content import Objects
+from ..flow.equation import EquationFlow
 from ..flow.results.abreast import abreast
 from ..on_paper import on_paper
 from ..tables import listed
+from .inset import equation_of
 from .lines import chained, displayed, with_results
 from .rows import in_runs, lead_of, rows_table
 
@@ -27,21 +29,30 @@ def sections(solution: Solution, lang: Lang, objects: Objects) -> list[dict[str,
             _step(run[0], solution, lang, objects, same) if len(run) == 1 else _run(run, lang, objects)
             for run in in_runs(steps)
         ]
-        out.append({"title": title, "steps": told})
+        out.append({"title": title, "steps": told, "insets": any(one["inset"] for one in told)})
     return out
 
 
 def _run(steps: tuple[Step, ...], lang: Lang, objects: Objects) -> dict[str, Any]:
     table = objects.add("tab", rows_table(steps, lang))
-    return {"n": steps[0].number, "words": lead_of(steps, lang), "equation": "", "table": table, "formulas": []}
+    return {
+        "n": steps[0].number,
+        "words": lead_of(steps, lang),
+        "equation": "",
+        "table": table,
+        "formulas": [],
+        "inset": False,
+    }
 
 
 def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Mapping[int, Node]) -> dict[str, Any]:
-    lines = [*chained([same.get(id(node), node) for node in displayed(step, solution)])]
+    lines = abreast([*chained([same.get(id(node), node) for node in displayed(step, solution)])])
+    equation = equation_of(step, lines, solution, lang)
     return {
         "n": step.number,
         "words": with_results(on_paper(step.words.of(lang), solution), step, solution, lang),
-        "equation": objects.add("eq", step.equation) if step.equation else "",
+        "equation": objects.add("eq", equation) if equation else "",
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
-        "formulas": [objects.add("f", one) for one in abreast(lines)],
+        "formulas": [objects.add("f", one) for one in lines],
+        "inset": isinstance(equation, EquationFlow),
     }

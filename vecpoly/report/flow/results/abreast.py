@@ -63,10 +63,17 @@ class Abreast(Block):
     def _step(self) -> float:
         return max(box.width for box in self._boxes) + _BETWEEN
 
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Where its ink begins and ends in the column (mm)."""
+        wide = self._across(self.width) * self._step - _BETWEEN
+        left = max(0.0, (self.width / MM - wide) / 2)
+        return left, left + wide
+
     def draw(self) -> None:
         """Row by row, in the middle of the column."""
         ink, tree, across = Ink(self.canv), tree_of(self.canv), self._across(self.width)
-        left = max(0.0, (self.width / MM - across * self._step + _BETWEEN) / 2)
+        left, _ = self.reach
         rows, top = self._rows(self.width), self.height
         for n, (node, box) in enumerate(zip(self.nodes, self._boxes, strict=True)):
             row, column = divmod(n, across)
