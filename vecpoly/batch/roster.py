@@ -14,26 +14,11 @@ from pathlib import Path
 from ..errors import Fault, Place, VecpolyError
 from ..limits import PERSON, ROSTER, TABLE_BYTES
 from ..words import Words
+from .columns import NAME, NUMBER, TEAM, is_one
 from .student import Student
 
 Row = tuple[int, tuple[str, ...]]  # its number in the file, from 1, and its cells
-_HEADS = {
-    "number": (
-        "学号",
-        "学生编号",
-        "学生学号",
-        "考号",
-        "number",
-        "student number",
-        "student no",
-        "student id",
-        "id",
-        "no",
-        "matriculation",
-    ),
-    "name": ("姓名", "学生姓名", "名字", "name", "student", "student name", "full name"),
-    "team": ("班级", "班", "行政班", "教学班", "class", "group", "team", "section"),
-}
+_HEADS = {"number": NUMBER, "name": (*NAME, "student"), "team": TEAM}
 _NUMBER = re.compile(r"[A-Za-z0-9][A-Za-z0-9._\-]*")
 
 
@@ -43,10 +28,12 @@ class RosterError(VecpolyError, ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Roster:
-    """The students, in the order of the file, and what is wrong with the other rows."""
+    """The students, in the order of the file, and what is wrong with the other rows; nameless: without a column of
+    names."""
 
     students: tuple[Student, ...]
     faults: tuple[Fault, ...]
+    nameless: bool = False
 
 
 def read_roster(path: Path) -> Roster:
@@ -68,7 +55,7 @@ def read_roster(path: Path) -> Roster:
     start, columns = found
     students, faults = list[tuple[int, Student]](), list[Fault]()
     for line, cells in rows[start + 1 :]:
-        if any(cells):
+        if any(cells) and "number" not in _columns(cells):  # a head of two rows, or one on each page
             one = _student(str(path), line, cells, columns)
             if isinstance(one, Fault):
                 faults.append(one)
@@ -81,7 +68,7 @@ def read_roster(path: Path) -> Roster:
             code="empty",
             faults=tuple(faults),
         )
-    return Roster(tuple(one for _, one in students), tuple(faults))
+    return Roster(tuple(one for _, one in students), tuple(faults), nameless="name" not in columns)
 
 
 def plain(text: object) -> str:
@@ -97,9 +84,8 @@ def _columns(cells: Sequence[str]) -> dict[str, int]:
     """Which column holds what."""
     found: dict[str, int] = {}
     for i, cell in enumerate(cells):
-        bare = cell.lower().replace("_", "").replace(" ", "").strip(".:*")  # also 学 号, as schools space it
         for what, heads in _HEADS.items():
-            if bare in {head.replace(" ", "") for head in heads}:
+            if is_one(cell, heads):
                 found.setdefault(what, i)
     return found
 
@@ -115,6 +101,16 @@ def _student(file: str, line: int, cells: Sequence[str], columns: dict[str, int]
             said=Words(
                 f"{held.get('name') or '此行'}没有学号；请补上",
                 f"{held.get('name') or 'this row'} has no number; fill it in",
+            ),
+        )
+    if not held.get("name", "-"):  # a sum below the list, say
+        return Fault(
+            code="missing",
+            place=Place(file, line, columns["name"] + 1),
+            numbers={"number": held["number"]},
+            said=Words(
+                f"学号 {held['number']} 没有姓名；若是学生请补上，若是合计等请删去此行",
+                f"the number {held['number']} has no name; fill it in, or delete the row if it is no student (a sum)",
             ),
         )
     if not _NUMBER.fullmatch(held["number"]):
@@ -182,8 +178,13 @@ def _xlsx(path: Path) -> Iterator[Sequence[object]]:
     from openpyxl import load_workbook
 
     try:
-        book = load_workbook(path, read_only=True, data_only=True)
-        yield from book.worksheets[0].iter_rows(values_only=True)
+        sheet = load_workbook(path, data_only=True).worksheets[0]
+        for one in tuple(sheet.merged_cells.ranges):  # what stands in a merged cell, a class, is said of all its rows
+            said = one.start_cell.value
+            sheet.unmerge_cells(one.coord)
+            for row in range(one.min_row, min(one.max_row, ROSTER) + 1):
+                sheet.cell(row, one.min_col).value = said
+        yield from sheet.iter_rows(values_only=True)
     except (BadZipFile, KeyError, ValueError, IndexError) as error:
         raise RosterError(
             Words(

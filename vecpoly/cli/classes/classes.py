@@ -112,6 +112,15 @@ def classes(
         if part is None:
             _bundle(made, output, columns, told)
     _report(made, order.assignment.problems)
+    if people.nameless:
+        say(
+            told_in(
+                Words(
+                    "名单中没有“姓名”一列：题单上只有学号",
+                    "the roster has no column of names: sheets have numbers alone",
+                )
+            )
+        )
     _settle(people.faults, made.refused)
 
 

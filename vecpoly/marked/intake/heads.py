@@ -7,17 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ...batch.columns import NAME, NUMBER, TEAM, is_one
 from ...errors import UnknownNameError
 from ...grading.key import AnswerKey
 from ...grading.reading.characters import plain
 from ...grading.reading.symbol import keyed
 
-_IDENTITY = {
-    "student": ("学号", "学生编号", "number", "student", "student number", "student id", "id", "sid"),
-    "name": ("姓名", "name", "student name"),
-    "team": ("班级", "class", "team", "group"),
-    "sheet": ("卷号", "sheet", "variant"),
-}
+_IDENTITY = {"student": (*NUMBER, "student", "sid"), "name": NAME, "team": TEAM, "sheet": ("卷号", "sheet", "variant")}
 NO_PROBLEM = "no-problem"
 _SUFFIX = re.compile(
     r"^(?P<symbol>.*?)[\s_]*(?:\(?(?P<mm>mm)\)?|(?P<deg>deg|°|方向|direction)|(?P<sense>sense|转向))$", re.I
@@ -44,8 +40,7 @@ class Head:
 
 def identity(cell: str) -> str | None:
     """What of a student a column holds: student, name, team, sheet."""
-    bare = plain(cell).lower().replace("_", "").replace(" ", "").strip(".:*")
-    return next((what for what, heads in _IDENTITY.items() if bare in {one.replace(" ", "") for one in heads}), None)
+    return next((what for what, heads in _IDENTITY.items() if is_one(cell, heads)), None)
 
 
 def head(cell: str, keys: Mapping[str, AnswerKey], default: str | None = None) -> Head:
