@@ -9,7 +9,7 @@ import pytest
 from openpyxl import Workbook
 
 from tests.grading.cases import key_of
-from tests.marked.classes import NUMBERS, everybody, graded, wide
+from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
 from vecpoly.grading.sheet import sheet_of
 
 
@@ -48,3 +48,24 @@ def test_a_cell_merged_over_several_students_is_told_of_those_who_have_none(tmp_
     assert [(one.code, one.numbers["student"]) for one in done.faults] == [("merged", NUMBERS[1])]
     assert "line 5, column 3" in done.faults[0].words.en
     assert [one.aside for one in done.results] == [False, True, False]
+
+
+@pytest.mark.parametrize("way", ["{}", "{} mm", "{}ｍｍ", "{}毫米", "约{}", "{} mm 左右", "l={}"])
+def test_a_length_has_the_unit_of_its_column_where_none_is_written(tmp_path: Path, way: str) -> None:
+    """４９．２ｍｍ in a column of mm was '49.2 mm mm', and cost the mark for units."""
+    one = register().sheets[0].parts[0].key["v_E"]
+    assert one.mm is not None and one.line
+    cells = {"v_E deg": "", "v_E mm": way.format(round(one.mm, 1))}
+    file = wide(tmp_path / "a.csv", {NUMBERS[0]: cells})
+    result = graded(tmp_path / "m", file).results[0]
+    found = result.marks["3-9"][one.line]
+    assert [each.id.value for each in found.messages] == ["ok"] and not result.marks["3-9"].lost
+    assert result.places["3-9", one.line].column == 3
+
+
+def test_a_unit_that_is_typed_beside_its_column_too_is_one_unit(tmp_path: Path) -> None:
+    cells = answers(NUMBERS[0])
+    rows = (f"{NUMBERS[0]},{key},{cells[key]} m/s,m/s" for key in ("v_E", "v_C2B"))
+    (tmp_path / "a.csv").write_text("\n".join(("student,step,value,unit", *rows)), encoding="utf-8")
+    marks = graded(tmp_path / "m", tmp_path / "a.csv").results[0].marks["3-9"]
+    assert marks["v_E"].is_right and marks["v_C2B"].is_right and not marks.lost
