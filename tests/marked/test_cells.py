@@ -11,6 +11,7 @@ from openpyxl import Workbook
 from tests.grading.cases import key_of
 from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
 from vecpoly.grading.sheet import sheet_of
+from vecpoly.marked.intake.heads import head as head_of
 
 
 @pytest.mark.parametrize(
@@ -69,3 +70,22 @@ def test_a_unit_that_is_typed_beside_its_column_too_is_one_unit(tmp_path: Path) 
     (tmp_path / "a.csv").write_text("\n".join(("student,step,value,unit", *rows)), encoding="utf-8")
     marks = graded(tmp_path / "m", tmp_path / "a.csv").results[0].marks["3-9"]
     assert marks["v_E"].is_right and marks["v_C2B"].is_right and not marks.lost
+
+
+@pytest.mark.parametrize("head", ["v_E (m/s)", "v_E/(m·s⁻¹)", "v_E [mm/s]", "3-9:v_E（mm/s）", "v_E, m/s"])
+@pytest.mark.parametrize("behind", ["", " ∠{:.0f}°", " m/s"])
+def test_a_head_may_name_the_unit_of_its_column(tmp_path: Path, head: str, behind: str) -> None:
+    """As tables are headed: it was refused, and values in mm/s below it would have been taken for m/s."""
+    one = register().sheets[0].parts[0].key["v_E"]
+    size = abs(one.exact) * (1000 if "mm" in head and "m/s" not in behind else 1)
+    text = f"{size:.4g}" + behind.format(one.degrees)
+    file = wide(tmp_path / "a.csv", {NUMBERS[0]: {head: text}}, mark=";")
+    done = graded(tmp_path / "m", file)
+    assert not done.faults and done.results[0].marks["3-9"]["v_E"].is_right and not done.results[0].marks["3-9"].lost
+
+
+@pytest.mark.parametrize(
+    ("head", "part"), [("v_E (mm)", "mm"), ("v_E/mm", "mm"), ("v_E (°)", "deg"), ("v_E (deg)", "deg")]
+)
+def test_mm_and_degrees_of_a_vector_are_its_length_and_its_direction(head: str, part: str) -> None:
+    assert head_of(head, {"3-9": key_of("3-9")}).part.value == part

@@ -6,7 +6,9 @@ import re
 from collections.abc import Mapping
 
 from ...grading.key import AnswerKey, Kind
+from ...grading.reading.characters import plain
 from ...grading.reading.direction import as_direction
+from ...grading.reading.number import NUMBER
 from ...grading.reading.sense import as_sense
 from ...grading.reading.written import State, written
 from .heads import Head, Part
@@ -19,7 +21,7 @@ def joined(key: AnswerKey, parts: Mapping[Head, str]) -> dict[str, str]:
     cells: dict[str, str] = {}
     for head, text in parts.items():
         if head.part is Part.VALUE:
-            cells[head.symbol] = text
+            cells[head.symbol] = with_unit(text, head.unit) if head.unit and text.strip() else text
     for head, text in parts.items():
         if not text.strip():
             continue
@@ -48,6 +50,8 @@ def with_unit(text: str, unit: str) -> str:
         said = written(bare)
         if said.state is not State.READ or said.unit is not None or said.yes is not None:
             return bare
+        if said.direction is not None and (found := NUMBER.search(bare := plain(bare))) is not None:
+            return f"{bare[: found.end()]} {unit} {bare[found.end() :]}"
     return f"{bare} {unit}"
 
 
