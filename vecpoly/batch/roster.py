@@ -7,7 +7,7 @@ import csv
 import io
 import re
 import unicodedata
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -93,48 +93,39 @@ def _columns(cells: Sequence[str]) -> dict[str, int]:
 def _student(file: str, line: int, cells: Sequence[str], columns: dict[str, int]) -> Student | Fault:
     """The student of a row, or what is wrong with it."""
     held = {what: cells[i] if i < len(cells) else "" for what, i in columns.items()}
-    place = Place(file, line, columns["number"] + 1)
-    if not held["number"]:
-        return Fault(
-            code="missing",
-            place=place,
-            said=Words(
-                f"{held.get('name') or '此行'}没有学号；请补上",
-                f"{held.get('name') or 'this row'} has no number; fill it in",
-            ),
-        )
-    if not held.get("name", "-"):  # a sum below the list, say
-        return Fault(
-            code="missing",
-            place=Place(file, line, columns["name"] + 1),
-            numbers={"number": held["number"]},
-            said=Words(
-                f"学号 {held['number']} 没有姓名；若是学生请补上，若是合计等请删去此行",
-                f"the number {held['number']} has no name; fill it in, or delete the row if it is no student (a sum)",
-            ),
-        )
-    if not _NUMBER.fullmatch(held["number"]):
-        return Fault(
-            code="spelling",
-            place=place,
-            numbers={"number": held["number"]},
-            said=Words(
-                f"学号“{held['number']}”应以字母或数字开头，且只能含字母、数字、'-'、'_' 和 '.'；请改正",
-                f"the number '{held['number']}' must begin with a letter or digit and may hold only these, '-', '_' "
-                "and '.'; correct it",
-            ),
-        )
-    if any(len(text) > PERSON or not text.isprintable() for text in held.values()):
-        return Fault(
-            code="out-of-range",
-            place=place,
-            said=Words(
-                f"此行含有不可打印的字符，或学号、姓名、班级中有一格超过 {PERSON} 个字符；请改正",
-                f"this row holds characters that cannot be printed, or a number, name or class of over {PERSON}; "
-                "correct it",
-            ),
-        )
+    if (wrong := _wrong(held)) is not None:
+        column, code, said = wrong
+        numbers = {"number": held["number"]} if held["number"] else {}
+        return Fault(code=code, place=Place(file, line, columns[column] + 1), numbers=numbers, said=said)
     return Student(number=held["number"], name=held.get("name", ""), team=held.get("team", ""))
+
+
+def _wrong(held: Mapping[str, str]) -> tuple[str, str, Words] | None:
+    """What is wrong with a row: in which column, of what sort, in words."""
+    number = held["number"]
+    if not number:
+        name = held.get("name")
+        return "number", "missing", Words(
+            f"{name or '此行'}没有学号；请补上", f"{name or 'this row'} has no number; fill it in"
+        )  # fmt: skip
+    if not held.get("name", "-"):  # a sum below the list, say
+        return "name", "missing", Words(
+            f"学号 {number} 没有姓名；若是学生请补上，若是合计等请删去此行",
+            f"the number {number} has no name; fill it in, or delete the row if it is no student (a sum)",
+        )  # fmt: skip
+    if not _NUMBER.fullmatch(number):
+        return "number", "spelling", Words(
+            f"学号“{number}”应以字母或数字开头，且只能含字母、数字、'-'、'_' 和 '.'；请改正",
+            f"the number '{number}' must begin with a letter or digit and may hold only these, '-', '_' and '.'; "
+            "correct it",
+        )  # fmt: skip
+    if any(len(text) > PERSON or not text.isprintable() for text in held.values()):
+        return "number", "out-of-range", Words(
+            f"此行含有不可打印的字符，或学号、姓名、班级中有一格超过 {PERSON} 个字符；请改正",
+            f"this row holds characters that cannot be printed, or a number, name or class of over {PERSON}; "
+            "correct it",
+        )  # fmt: skip
+    return None
 
 
 def _no_twins(path: Path, students: Sequence[tuple[int, Student]]) -> None:
