@@ -52,7 +52,7 @@ const check = {
   given(index, text, sense = 0, aim = "") {
     const mine = check.read(text), wind = check.wind(aim), along = wind ? null : check.read(aim);
     if (!mine || aim.trim() && !wind && !along) return null;
-    if (check.row(index).size) mine.value = Math.abs(mine.value);
+    if (check.row(index).size) mine.value = Math.abs(mine.value) * (check.row(index).x < 0 ? -1 : 1);
     mine.sense = sense || (mine.signed ? Math.sign(mine.value) || 1 : 0);
     if (along || wind) [mine.direction, mine.around] = wind ? [wind.degrees, wind.reach] : [along.value, 0];
     return mine;

@@ -97,3 +97,35 @@ def test_what_is_no_workbook_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a.xlsx").write_bytes(b"no zip")
     with pytest.raises(RosterError, match="no XLSX workbook"):
         read_roster(tmp_path / "a.xlsx")
+
+
+@pytest.mark.parametrize("head", ["姓名（汉字）", "姓 名 [全名]", "Full_Name (as on the card)"])
+@pytest.mark.parametrize("team", ["行政班级", "教学班级（2025）", "Class name"])
+def test_what_a_head_says_aside_does_not_hide_a_column(tmp_path: Path, head: str, team: str) -> None:
+    found = read_roster(roster(tmp_path, ROWS.replace("姓名,班级", f"{head},{team}").encode()))
+    assert found.students == TWO and not found.nameless
+
+
+def test_a_roster_without_names_says_so(tmp_path: Path) -> None:
+    assert read_roster(roster(tmp_path, "学号,电话\n1,2\n".encode())).nameless
+
+
+def test_a_sum_below_the_list_is_told_and_is_no_student(tmp_path: Path) -> None:
+    found = read_roster(roster(tmp_path, "序号,学号,姓名\n1,20230001,王小明\n合计,1,\n".encode()))
+    assert [one.number for one in found.students] == ["20230001"]
+    assert [fault.place.line for fault in found.faults if fault.place] == [3]
+
+
+def test_a_class_in_a_merged_cell_is_that_of_all_its_rows_and_a_second_row_of_heads_is_no_student(
+    tmp_path: Path,
+) -> None:
+    book = openpyxl.Workbook()
+    page = book.active
+    assert page is not None
+    for row in (("学号", "姓名", "班级"), ("", "", ""), (1, "甲", "机 1"), (2, "乙", None), (3, "丙", "机 2")):
+        page.append(row)
+    for cells in ("A1:A2", "B1:B2", "C1:C2", "C3:C4"):
+        page.merge_cells(cells)
+    book.save(tmp_path / "a.xlsx")
+    found = read_roster(tmp_path / "a.xlsx")
+    assert [one.team for one in found.students] == ["机 1", "机 1", "机 2"] and not found.faults

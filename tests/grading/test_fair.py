@@ -29,11 +29,27 @@ def sheet(name: str, **cells: str) -> dict[str, str]:
     return {one.key: cell(one) for one in asked} | cells
 
 
-@pytest.mark.parametrize("name", ["3-9", "3-2", "6-1"])
+@pytest.mark.parametrize("name", ["3-9", "3-2", "6-1", "5-3"])
 def test_a_sheet_of_zeros_earns_no_more_than_its_scales(name: str) -> None:
     found = marked(name, {key: "0 cw" if "cw" in text else "0" for key, text in sheet(name).items()})
     assert not found.slips and found.total <= sum(found.stated.values())
     assert not any(one.is_right for one in found.findings if one.written.raw and key_of(name)[one.key].exact)
+
+
+def test_zero_is_wrong_however_much_drawings_scatter_and_the_reason_is_not_its_tolerance() -> None:
+    """F and η of 5-3 scatter by all of their size: 0 was right, 'error 39 N, allowed ±39 N'."""
+    one = key_of("5-3")["F"]
+    found = marked("5-3", sheet("5-3", F="0"))
+    assert one.demoted and one.allowed == one.exact
+    assert told(found, "F") == ["not_zero"]
+
+
+def test_a_place_that_scatters_over_the_whole_figure_says_so() -> None:
+    """P_58 of class-iii may lie 0.35 m off; any place was right without a word."""
+    far = [one.key for one in key_of("class-iii").quantities if one.demoted and one.kind is Kind.PLACE]
+    assert "P_58" in far and "P_14" not in far
+    x, y = (1000.0 * number for number in key_of("class-iii")["P_58"].at or ())
+    assert "demoted" in told(marked("class-iii", {"P_58": f"({x + 50:.0f}, {y:.0f})"}), "P_58")
 
 
 def test_words_in_every_cell_earn_no_scale() -> None:

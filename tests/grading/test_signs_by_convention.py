@@ -9,7 +9,7 @@ from vecpoly.batch.moodle.answers import bands
 from vecpoly.grading.student import check_answers
 from vecpoly.grading.told.catalogue import Told
 
-ONES = {"7-2a": ("i_0_I", "i_II_I", "i_III_I", "M_r"), "7-5": ("M_r",)}
+ONES = {"7-2a": ("i_0_I", "i_II_I", "i_III_I", "M_r"), "7-5": ("M_r",), "train-differential": ("v_O2", "v_C")}
 EACH = [(problem, name) for problem, names in ONES.items() for name in names]
 
 
@@ -18,7 +18,7 @@ EACH = [(problem, name) for problem, names in ONES.items() for name in names]
 def test_either_sign_of_a_magnitude_is_right_and_the_convention_is_told(problem: str, name: str, sign: int) -> None:
     value = sign * key_of(problem)[name].exact
     (found,) = check_answers(problem_of(problem), [f"{name}={value:.4g}"]).answers
-    assert found.is_right and (Told.SIGN_FREE in {said.id for said in found.messages}) is (sign < 0)
+    assert found.is_right and (Told.SIGN_FREE in {said.id for said in found.messages}) is (value < 0)
 
 
 def test_all_signs_turned_cost_nothing_and_what_rests_on_them_follows() -> None:

@@ -54,6 +54,15 @@ WIDE = str.maketrans("0123456789.-+ ", "０１２３４５６７８９．－＋�
         ("1.234,5", 1234.5),
         ("1,234,567", 1234567),
         ("约 3.2。", 3.2),
+        ("3.2 左右", 3.2),
+        ("—3.2", -3.2),
+        ("1.5 KN", 1500),
+        ("1.5 KN·m", 1500),
+        ("1.5 KNm", 1500),
+        ("2 Kg", 2),
+        ("64 N-m", 64),
+        ("2 m·s-2", 2),
+        ("0.5m.s-1", 0.5),
     ],
 )
 def test_a_number_with_its_unit_is_read_however_it_is_written(text: str, si: float) -> None:
@@ -95,7 +104,21 @@ def test_what_leads_to_a_number_or_wraps_it_is_no_part_of_it(text: str) -> None:
 
 @pytest.mark.parametrize(
     "cell",
-    ["315", "315°", "∠315°", "≈315", "315,0", "3.15e2", "315度", "315°0′", "-45", "315 ± 1", "5.49779 rad", "右下"],
+    [
+        "315",
+        "315°",
+        "∠315°",
+        "≈315",
+        "约 315 左右",
+        "315,0",
+        "3.15e2",
+        "315度",
+        "315°0′",
+        "-45",
+        "315 ± 1",
+        "5.49779 rad",
+        "右下",
+    ],
 )
 def test_a_column_for_directions_takes_what_people_write_there(cell: str) -> None:
     found = written(f"0.3 {as_direction(cell)}")
@@ -118,7 +141,21 @@ def test_a_sign_against_a_sense_is_ambiguous_and_not_wrong(text: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["1,234", "12 foo", "abc", "1.2.3", "12.3.4 mm", "3/0", "O.49", "=cmd|'/c calc'!A1", "1 2", "x" * 500, "1,23,4"],
+    [
+        "1,234",
+        "12 foo",
+        "0.5 m/s-1",
+        "3 K",
+        "abc",
+        "1.2.3",
+        "12.3.4 mm",
+        "3/0",
+        "O.49",
+        "=cmd|'/c calc'!A1",
+        "1 2",
+        "x" * 500,
+        "1,23,4",
+    ],
 )
 def test_what_cannot_be_read_says_so_and_keeps_its_text(text: str) -> None:
     found = written(text)
@@ -181,7 +218,7 @@ def test_no_text_whatever_breaks_the_reader(text: str) -> None:
     assert (found.why is None) == (found.state in (State.READ, State.BLANK, State.NONE))
 
 
-KEYS = ("v_D", "v_C2B", "omega_5", "an_CB", "alpha_3", "eta", "R_12", "bc2", "n2'c2'")
+KEYS = ("v_D", "v_C2B", "omega_5", "an_CB", "alpha_3", "eta", "R_12", "bc2", "n2'c2'", "P_14", "P_34")
 
 
 @pytest.mark.parametrize(
@@ -204,6 +241,8 @@ KEYS = ("v_D", "v_C2B", "omega_5", "an_CB", "alpha_3", "eta", "R_12", "bc2", "n2
         ("bc_2", "bc2"),
         ("n2′c2′", "n2'c2'"),
         ("Vc2b", "v_C2B"),
+        ("P_41", "P_14"),
+        ("p43", "P_34"),
     ],
 )
 def test_a_symbol_is_known_however_it_is_typed(typed: str, key: str) -> None:

@@ -9,8 +9,9 @@ import pytest
 from openpyxl import Workbook
 
 from tests.grading.cases import key_of
-from tests.marked.classes import NUMBERS, everybody, graded, wide
+from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
 from vecpoly.grading.sheet import sheet_of
+from vecpoly.marked.intake.heads import head as head_of
 
 
 @pytest.mark.parametrize(
@@ -48,3 +49,43 @@ def test_a_cell_merged_over_several_students_is_told_of_those_who_have_none(tmp_
     assert [(one.code, one.numbers["student"]) for one in done.faults] == [("merged", NUMBERS[1])]
     assert "line 5, column 3" in done.faults[0].words.en
     assert [one.aside for one in done.results] == [False, True, False]
+
+
+@pytest.mark.parametrize("way", ["{}", "{} mm", "{}ｍｍ", "{}毫米", "约{}", "{} mm 左右", "l={}"])
+def test_a_length_has_the_unit_of_its_column_where_none_is_written(tmp_path: Path, way: str) -> None:
+    """４９．２ｍｍ in a column of mm was '49.2 mm mm', and cost the mark for units."""
+    one = register().sheets[0].parts[0].key["v_E"]
+    assert one.mm is not None and one.line
+    cells = {"v_E deg": "", "v_E mm": way.format(round(one.mm, 1))}
+    file = wide(tmp_path / "a.csv", {NUMBERS[0]: cells})
+    result = graded(tmp_path / "m", file).results[0]
+    found = result.marks["3-9"][one.line]
+    assert [each.id.value for each in found.messages] == ["ok"] and not result.marks["3-9"].lost
+    assert result.places["3-9", one.line].column == 3
+
+
+def test_a_unit_that_is_typed_beside_its_column_too_is_one_unit(tmp_path: Path) -> None:
+    cells = answers(NUMBERS[0])
+    rows = (f"{NUMBERS[0]},{key},{cells[key]} m/s,m/s" for key in ("v_E", "v_C2B"))
+    (tmp_path / "a.csv").write_text("\n".join(("student,step,value,unit", *rows)), encoding="utf-8")
+    marks = graded(tmp_path / "m", tmp_path / "a.csv").results[0].marks["3-9"]
+    assert marks["v_E"].is_right and marks["v_C2B"].is_right and not marks.lost
+
+
+@pytest.mark.parametrize("head", ["v_E (m/s)", "v_E/(m·s⁻¹)", "v_E [mm/s]", "3-9:v_E（mm/s）", "v_E, m/s"])
+@pytest.mark.parametrize("behind", ["", " ∠{:.0f}°", " m/s"])
+def test_a_head_may_name_the_unit_of_its_column(tmp_path: Path, head: str, behind: str) -> None:
+    """As tables are headed: it was refused, and values in mm/s below it would have been taken for m/s."""
+    one = register().sheets[0].parts[0].key["v_E"]
+    size = abs(one.exact) * (1000 if "mm" in head and "m/s" not in behind else 1)
+    text = f"{size:.4g}" + behind.format(one.degrees)
+    file = wide(tmp_path / "a.csv", {NUMBERS[0]: {head: text}}, mark=";")
+    done = graded(tmp_path / "m", file)
+    assert not done.faults and done.results[0].marks["3-9"]["v_E"].is_right and not done.results[0].marks["3-9"].lost
+
+
+@pytest.mark.parametrize(
+    ("head", "part"), [("v_E (mm)", "mm"), ("v_E/mm", "mm"), ("v_E (°)", "deg"), ("v_E (deg)", "deg")]
+)
+def test_mm_and_degrees_of_a_vector_are_its_length_and_its_direction(head: str, part: str) -> None:
+    assert head_of(head, {"3-9": key_of("3-9")}).part.value == part

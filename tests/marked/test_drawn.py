@@ -152,6 +152,14 @@ def test_whose_drawing_is_right_has_all_points_and_whose_is_wrong_loses_one_line
     assert not lines(done, NUMBERS[2])
 
 
+def test_whoever_hands_in_a_drawing_alone_has_the_points_for_its_scales(folder: Path, tmp_path: Path) -> None:
+    """They are printed on the sheet, and count for whoever typed numbers."""
+    there = wide(tmp_path / "a.csv", {NUMBERS[2]: answers(NUMBERS[2])})
+    marks = graded(tmp_path / "out", there, drawings=folder).results[0].marks["3-9"]
+    assert marks.lines and set(marks.stated) == {"mu_v"}
+    assert marks.total == pytest.approx(sum(one.earned for one in marks.lines) + marks.stated["mu_v"], abs=0.5)
+
+
 @pytest.mark.parametrize(
     ("rule", "without", "paid"), [("told", 20.0, False), ("given", 20.0, True), ("required", None, True)]
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from functools import cache
 from math import inf
 from pathlib import Path
@@ -10,7 +11,9 @@ import pytest
 
 from tests.batch.homework import made, ordered, people, piloted
 from vecpoly import loads
+from vecpoly.batch import drawing
 from vecpoly.batch.classwork import make_class
+from vecpoly.batch.register import Part
 from vecpoly.batch.run.runners import Here
 from vecpoly.board.otherwise.slip import Mistake, Slip
 from vecpoly.errors import VecpolyError
@@ -66,6 +69,29 @@ def test_whoever_is_too_near_to_others_is_told_so_and_not_that_the_data_contradi
         done = make_class(ordered(tmp_path / "hw", people(range(5)), TRAIN), Here(), lambda *_: None)
     assert done.refused and len(done.register.sheets) >= 2
     assert all("too near" in error.words.en for error in done.refused.values())
+
+
+@pytest.mark.parametrize(("served_at", "served"), [(20, True), (10**6, False)])
+def test_one_student_who_is_too_near_is_drawn_again_and_not_for_ever(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, served_at: int, served: bool
+) -> None:
+    """A class of three was called stuck after a round in which the last of them, alone, found nothing."""
+    drawn_so_far: list[int] = []
+
+    def found(_: object, waiting: Sequence[tuple[Seed, int]], *others: object) -> Iterator[tuple[Seed, list[Part]]]:
+        for seed, start in waiting:
+            drawn_so_far.extend((start, start + 1))
+            yield seed, [part(n, 100.0 if n >= served_at else 0.0) for n in (start, start + 1)]
+
+    def part(attempt: int, size: float) -> Part:
+        return Part(problem="p", attempt=attempt, values={}, scales={}, key=keys(size)[0])
+
+    monkeypatch.setattr(drawing, "_found", found)
+    course = drawing.Course(problem=loads("extends: 3-9\nid: p"), fingerprint="", standard=of_friction().standard)
+    new = Seed(assignment="a", problem="p", student="new", salt="")
+    parts, refused = drawing.drawn(course, [new], {"old": part(0, 0.0)}, Here(), tmp_path, lambda *_: None)
+    assert ("new" in parts, "new" in refused) == (served, not served)
+    assert len(drawn_so_far) <= drawing.HOPELESS + 2
 
 
 def test_where_all_that_is_asked_is_drawn_too_badly_it_is_told_by_how_much_each_scatters() -> None:

@@ -26,6 +26,7 @@ from .run.tasks import Draw, cut
 
 BATCH = 10  # students of one task
 ROUNDS = 48  # in which somebody may be too near to another
+HOPELESS = 60  # variants that are too near to somebody's, one after another: the ranges hold no more
 FAR_FEWER = 2.0  # times the students that seem to have room: more are refused before anything is drawn
 Told = Callable[[str, int, int], None]  # what is being done, how much of it, of how much
 
@@ -59,19 +60,20 @@ def drawn(
     first = sorted(
         (seed for seed in seeds if seed.student not in kept), key=lambda seed: seed.stream(-1).below(1 << 60)
     )
-    waiting, refused = [(seed, 0) for seed in first], dict[str, VecpolyError]()
+    waiting, refused, vain = [(seed, 0) for seed in first], dict[str, VecpolyError](), 0
     for _ in range(ROUNDS):
         left: list[tuple[Seed, int]] = []
         for seed, found in _found(course, waiting, apart.taken, run, out, told, begin):
             good = next((part for part in found if apart.takes(part.key)), None)
+            vain = 0 if good is not None else vain + len(found)
             if good is not None:
                 parts[seed.student] = good
             elif not found:
                 refused[seed.student] = _no_variant(course, obstacle(course.problem, seed, course.standard))
             else:
                 left.append((seed, found[-1].attempt + 1))
-        stuck, waiting = bool(waiting) and len(left) == len(waiting), left
-        if stuck or not waiting:  # in a round in which nobody got any, the ranges hold no more
+        waiting = left
+        if vain >= HOPELESS or not waiting:
             break
     return parts, refused | {seed.student: _no_variant(course, Condition.APART) for seed, _ in waiting}
 

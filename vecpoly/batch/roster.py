@@ -7,33 +7,18 @@ import csv
 import io
 import re
 import unicodedata
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import Fault, Place, VecpolyError
 from ..limits import PERSON, ROSTER, TABLE_BYTES
 from ..words import Words
+from .columns import NAME, NUMBER, TEAM, is_one
 from .student import Student
 
 Row = tuple[int, tuple[str, ...]]  # its number in the file, from 1, and its cells
-_HEADS = {
-    "number": (
-        "学号",
-        "学生编号",
-        "学生学号",
-        "考号",
-        "number",
-        "student number",
-        "student no",
-        "student id",
-        "id",
-        "no",
-        "matriculation",
-    ),
-    "name": ("姓名", "学生姓名", "名字", "name", "student", "student name", "full name"),
-    "team": ("班级", "班", "行政班", "教学班", "class", "group", "team", "section"),
-}
+_HEADS = {"number": NUMBER, "name": (*NAME, "student"), "team": TEAM}
 _NUMBER = re.compile(r"[A-Za-z0-9][A-Za-z0-9._\-]*")
 
 
@@ -43,10 +28,12 @@ class RosterError(VecpolyError, ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Roster:
-    """The students, in the order of the file, and what is wrong with the other rows."""
+    """The students, in the order of the file, and what is wrong with the other rows; nameless: without a column of
+    names."""
 
     students: tuple[Student, ...]
     faults: tuple[Fault, ...]
+    nameless: bool = False
 
 
 def read_roster(path: Path) -> Roster:
@@ -68,7 +55,7 @@ def read_roster(path: Path) -> Roster:
     start, columns = found
     students, faults = list[tuple[int, Student]](), list[Fault]()
     for line, cells in rows[start + 1 :]:
-        if any(cells):
+        if any(cells) and "number" not in _columns(cells):  # a head of two rows, or one on each page
             one = _student(str(path), line, cells, columns)
             if isinstance(one, Fault):
                 faults.append(one)
@@ -81,7 +68,7 @@ def read_roster(path: Path) -> Roster:
             code="empty",
             faults=tuple(faults),
         )
-    return Roster(tuple(one for _, one in students), tuple(faults))
+    return Roster(tuple(one for _, one in students), tuple(faults), nameless="name" not in columns)
 
 
 def plain(text: object) -> str:
@@ -97,9 +84,8 @@ def _columns(cells: Sequence[str]) -> dict[str, int]:
     """Which column holds what."""
     found: dict[str, int] = {}
     for i, cell in enumerate(cells):
-        bare = cell.lower().replace("_", "").replace(" ", "").strip(".:*")  # also 学 号, as schools space it
         for what, heads in _HEADS.items():
-            if bare in {head.replace(" ", "") for head in heads}:
+            if is_one(cell, heads):
                 found.setdefault(what, i)
     return found
 
@@ -107,38 +93,39 @@ def _columns(cells: Sequence[str]) -> dict[str, int]:
 def _student(file: str, line: int, cells: Sequence[str], columns: dict[str, int]) -> Student | Fault:
     """The student of a row, or what is wrong with it."""
     held = {what: cells[i] if i < len(cells) else "" for what, i in columns.items()}
-    place = Place(file, line, columns["number"] + 1)
-    if not held["number"]:
-        return Fault(
-            code="missing",
-            place=place,
-            said=Words(
-                f"{held.get('name') or '此行'}没有学号；请补上",
-                f"{held.get('name') or 'this row'} has no number; fill it in",
-            ),
-        )
-    if not _NUMBER.fullmatch(held["number"]):
-        return Fault(
-            code="spelling",
-            place=place,
-            numbers={"number": held["number"]},
-            said=Words(
-                f"学号“{held['number']}”应以字母或数字开头，且只能含字母、数字、'-'、'_' 和 '.'；请改正",
-                f"the number '{held['number']}' must begin with a letter or digit and may hold only these, '-', '_' "
-                "and '.'; correct it",
-            ),
-        )
-    if any(len(text) > PERSON or not text.isprintable() for text in held.values()):
-        return Fault(
-            code="out-of-range",
-            place=place,
-            said=Words(
-                f"此行含有不可打印的字符，或学号、姓名、班级中有一格超过 {PERSON} 个字符；请改正",
-                f"this row holds characters that cannot be printed, or a number, name or class of over {PERSON}; "
-                "correct it",
-            ),
-        )
+    if (wrong := _wrong(held)) is not None:
+        column, code, said = wrong
+        numbers = {"number": held["number"]} if held["number"] else {}
+        return Fault(code=code, place=Place(file, line, columns[column] + 1), numbers=numbers, said=said)
     return Student(number=held["number"], name=held.get("name", ""), team=held.get("team", ""))
+
+
+def _wrong(held: Mapping[str, str]) -> tuple[str, str, Words] | None:
+    """What is wrong with a row: in which column, of what sort, in words."""
+    number = held["number"]
+    if not number:
+        name = held.get("name")
+        return "number", "missing", Words(
+            f"{name or '此行'}没有学号；请补上", f"{name or 'this row'} has no number; fill it in"
+        )  # fmt: skip
+    if not held.get("name", "-"):  # a sum below the list, say
+        return "name", "missing", Words(
+            f"学号 {number} 没有姓名；若是学生请补上，若是合计等请删去此行",
+            f"the number {number} has no name; fill it in, or delete the row if it is no student (a sum)",
+        )  # fmt: skip
+    if not _NUMBER.fullmatch(number):
+        return "number", "spelling", Words(
+            f"学号“{number}”应以字母或数字开头，且只能含字母、数字、'-'、'_' 和 '.'；请改正",
+            f"the number '{number}' must begin with a letter or digit and may hold only these, '-', '_' and '.'; "
+            "correct it",
+        )  # fmt: skip
+    if any(len(text) > PERSON or not text.isprintable() for text in held.values()):
+        return "number", "out-of-range", Words(
+            f"此行含有不可打印的字符，或学号、姓名、班级中有一格超过 {PERSON} 个字符；请改正",
+            f"this row holds characters that cannot be printed, or a number, name or class of over {PERSON}; "
+            "correct it",
+        )  # fmt: skip
+    return None
 
 
 def _no_twins(path: Path, students: Sequence[tuple[int, Student]]) -> None:
@@ -182,8 +169,13 @@ def _xlsx(path: Path) -> Iterator[Sequence[object]]:
     from openpyxl import load_workbook
 
     try:
-        book = load_workbook(path, read_only=True, data_only=True)
-        yield from book.worksheets[0].iter_rows(values_only=True)
+        sheet = load_workbook(path, data_only=True).worksheets[0]
+        for one in tuple(sheet.merged_cells.ranges):  # what stands in a merged cell, a class, is said of all its rows
+            said = one.start_cell.value
+            sheet.unmerge_cells(one.coord)
+            for row in range(one.min_row, min(one.max_row, ROSTER) + 1):
+                sheet.cell(row, one.min_col).value = said
+        yield from sheet.iter_rows(values_only=True)
     except (BadZipFile, KeyError, ValueError, IndexError) as error:
         raise RosterError(
             Words(

@@ -139,6 +139,15 @@ def test_a_pencil_drawing_that_is_turned_is_told_to_a_degree(problem: str) -> No
         assert mark[figure].turned == pytest.approx(-17, abs=1.0) and len(costs(mark)) == 1, seed
 
 
+def test_a_sheet_turned_with_a_part_of_its_diagram_may_have_lain_askew() -> None:
+    key = key_of("3-9")
+    whole = put(drawn(key.exact), lambda z: 1j * z)
+    polygons = [one for one in whole.segments if not one.where.startswith("mechanism")]
+    diagram = [one for one in whole.segments if one.where.startswith("mechanism")][:2]
+    mark = marked(key, replace(whole, segments=(*diagram, *polygons)))
+    assert mark.doubt is not None and "lie askew" in mark.doubt.en
+
+
 def test_what_stands_upright_is_never_called_askew_whatever_mistake_is_in_it() -> None:
     key = key_of("3-9", STUDENT)
     sheets = [by_pencil(key, seed) for seed in range(3)] + [drawn(world) for _, world in few(key.worlds, 9)]

@@ -53,6 +53,26 @@ def test_another_order_of_addition_is_as_right(problem: str) -> None:
     assert all(one.verdict is Verdict.RIGHT for one in mark.vectors) and mark.right
 
 
+@pytest.mark.parametrize("problem", few(["3-9", "A-27"], 2))
+def test_a_mistake_is_named_though_the_line_of_a_resultant_is_left_out(problem: str) -> None:
+    """p'b3' is not drawn by everybody: its points are there by the other lines."""
+    key, tried = key_of(problem), 0
+    for slip, world in few(key.worlds, 30):
+        whole = drawn(world)
+        if marked(key, whole, declared=True).slip != slip:
+            continue
+        for line in whole.segments:
+            others = [one for one in whole.segments if one is not line]
+            ends = [end for one in others for end in (one.start, one.end)]
+            loose = "mechanism" in line.where or not all(
+                any(abs(end - z) < 1e-9 for z in ends) for end in (line.start, line.end)
+            )
+            if not loose:
+                tried += 1
+                assert slip in marked(key, replace(whole, segments=tuple(others)), declared=True).slips, line.where
+    assert tried
+
+
 @pytest.mark.parametrize("problem", few(["3-9", "3-7a", "4-3a"], 3))
 def test_every_slip_that_is_drawn_is_caught_and_most_are_named(problem: str) -> None:
     key = key_of(problem)

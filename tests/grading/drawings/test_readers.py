@@ -9,6 +9,7 @@ from zlib import compress
 
 import ezdxf
 import pytest
+from reportlab.pdfgen.canvas import Canvas
 
 from tests.grading.drawings.made import as_dxf, drawn, key_of, marked, zipped
 from tests.laws import few
@@ -120,6 +121,26 @@ def test_an_svg_as_inkscape_writes_it_is_read_through_transforms_and_layers() ->
     assert lines(drawing) == [(10 - 20j, 10 - 30j)]
     assert (one.name, one.layer, one.headed) == ("v_C", "速度", True)
     assert [label.text for label in drawing.labels] == ["c2"]
+
+
+@pytest.mark.parametrize("kind", ["svg", "pdf"])
+@pytest.mark.parametrize(("bent", "count"), [(0.0, 1), (0.3, 0)])
+def test_a_spline_that_runs_straight_is_a_line_and_one_that_does_not_is_none(
+    kind: str, bent: float, count: int
+) -> None:
+    """The shaft of an arrow, as matplotlib draws it: no polygon was found on such a sheet."""
+    between = [(20.0, 10.0 + bent), (30.0, 15.0 + bent)]
+    if kind == "svg":
+        (a, b), (c, d) = between
+        paths = f'<path d="M 0,0 C {a},{b} {c},{d} 40,20"/><path d="M 0,0 H 9"/>'
+        data = f'<svg {SVG} width="60mm" height="40mm" viewBox="0 0 60 40"><g stroke="black">{paths}</g></svg>'.encode()
+    else:
+        canvas = Canvas(stream := io.BytesIO())
+        canvas.bezier(0, 0, *between[0], *between[1], 40, 20)
+        canvas.line(0, 0, 9, 0)
+        canvas.save()
+        data = stream.getvalue()
+    assert len(parsed(f"a.{kind}", data).segments) == count + 1
 
 
 def test_an_svg_without_a_size_in_mm_says_so() -> None:

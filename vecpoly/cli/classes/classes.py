@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ...errors import Fault, VecpolyError
+from ...errors import VecpolyError
 from ...words import Words
 from ..errors import REFUSED, tell
 from ..options import JobsOption, LangOption, OutsideOption, place
@@ -22,6 +22,7 @@ from ..tongue import told_in
 if TYPE_CHECKING:
     from ...batch.classwork import Made
     from ...batch.forms.profile import Profile
+    from ...batch.roster import Roster
     from ...problem.problem import Problem
 
 Told = Callable[[Words, int, int], None]
@@ -112,7 +113,7 @@ def classes(
         if part is None:
             _bundle(made, output, columns, told)
     _report(made, order.assignment.problems)
-    _settle(people.faults, made.refused)
+    _settle(people, made.refused)
 
 
 def _columns(path: Path | None, problems: Sequence[Problem]) -> Profile | None:
@@ -125,10 +126,15 @@ def _columns(path: Path | None, problems: Sequence[Problem]) -> Profile | None:
     return profile
 
 
-def _settle(faults: Sequence[Fault], refused: Mapping[str, VecpolyError]) -> None:
+def _settle(people: Roster, refused: Mapping[str, VecpolyError]) -> None:
     """Tell which rows and which students came to nothing, and leave with an exit code of failure where there were
     any."""
-    errors: list[Exception] = [VecpolyError(fault.words, code=fault.code, faults=(fault,)) for fault in faults]
+    if people.nameless:
+        said = Words(
+            "名单中没有“姓名”一列：题单上只有学号", "the roster has no column of names: sheets have numbers alone"
+        )
+        say(told_in(said))
+    errors: list[Exception] = [VecpolyError(one.words, code=one.code, faults=(one,)) for one in people.faults]
     errors += [error.led_by(Words(f"{number}：", f"{number}: ")) for number, error in sorted(refused.items())]
     for error in errors:
         tell(error)

@@ -48,6 +48,11 @@ Planets = Annotated[
 ]
 
 
+def speed_of(point: str) -> Named:
+    """The speed of a point of the line of centres; which way it goes no sign on the sheet tells."""
+    return Named(f"v_{point}", f"v_{{{point}}}", "m/s", is_size=True)
+
+
 class Epicyclic(Device):
     """Teeth, the module of the first pair, and two of the three angular velocities (counter-clockwise positive)."""
 
@@ -191,7 +196,7 @@ class Epicyclic(Device):
 
     def quantities(self) -> tuple[Named, ...]:
         """Speeds of the pitch points and the planets' centres, ω of every link, the ratio where one link is held."""
-        speeds = [Named(f"v_{point}", f"v_{{{point}}}", "m/s") for point in ("A", "O2", "C")]
+        speeds = [speed_of(point) for point in ("A", "O2", "C")]
         turns = [Named(f"omega_{link}", f"ω_{link}", "rad/s") for link in ("1", "2", "3", "H")]
         return (*speeds, *turns, *([self.ratio] if self.ratio else []))
 

@@ -69,12 +69,23 @@ def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> O
         return Outcome.RIGHT if given.yes == bool(target.value) else Outcome.WRONG
     if graded.kind is Kind.PLACE and given.at is not None and target.at is not None:
         return _band(distance(given, graded, target), target.allowed, rule)
+    if _nothing(given, graded, target, rule):
+        return Outcome.WRONG
     off = gap(given.value, graded, target)
     sized = _band(abs(off), max(widened(given, target), _upwards(graded, target, rule) if off > 0 else 0.0), rule)
     if sized is Outcome.WRONG:
         return _sign(given, graded, target, rule)
     turned = _turned(given, graded, target, rule)
     return sized if turned is None or (turned is Outcome.UNSAID and sized is Outcome.CLOSE) else turned
+
+
+def _nothing(given: Measured, graded: Graded, target: Target, rule: Allowance) -> bool:
+    """Whether 0 is written of what is there: however much drawings scatter, none shows nothing of what is no less than
+    they may be off."""
+    seen = target.mm is None or target.mm >= rule.short
+    return not given.value and bool(target.value) and graded.unit != "deg" and seen and (
+        target.allowed <= abs(target.value) * (1 + 1e-9)
+    )  # fmt: skip
 
 
 def _band(off: float, allowed: float, rule: Allowance) -> Outcome:

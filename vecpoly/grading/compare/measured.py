@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from math import copysign
 
 from ..key import Graded, Kind
 from ..reading.direction import Pointing
@@ -54,7 +55,7 @@ def measured(written: Written, graded: Graded, scale: float | None = None) -> Me
     sense = written.sense or (1 if written.signed else 0) * (-1 if written.value < 0 else 1)
     at = None if written.at is None else (written.at[0] * factor, written.at[1] * factor)
     value = written.value if written.yes is None else float(written.yes)
-    value = abs(value) if graded.unsigned else value
+    value = copysign(value, graded.exact) if graded.unsigned else value
     return Measured(
         value=value * factor, sense=sense, direction=written.direction, at=at, yes=written.yes,
         half=written.last * factor / 2, fault=fault,

@@ -94,7 +94,7 @@ class Scatter:
         if one.kind is Kind.YES_NO:
             return one
         if size <= COMPUTED * largest or one.kind is Kind.PLACE or (one.unit == "deg" and spread):
-            wide = one.unit == "deg" and radians(spread) > rule.share  # of an angle: of a radian
+            wide = _share(one, spread, largest) > rule.share
             allowed = max(spread, floor) if isfinite(spread) else size or largest
             return replace(one, allowed=allowed, demoted=wide)  # no share of what has no size
         if spread > rule.share * size:
@@ -123,6 +123,14 @@ class Scatter:
         return self.scales.get(one.mu) or max(
             (each.scale.value for each in figures if each.scale.unit == "m"), default=0.0
         )
+
+
+def _share(one: Graded, spread: float, largest: float) -> float:
+    """What part of it a value without a size of its own scatters by: an angle of a radian, a place of how far off the
+    farthest lies; nothing of nothing."""
+    if one.unit == "deg":
+        return radians(spread)
+    return spread / largest if one.kind is Kind.PLACE else 0.0
 
 
 def _near(one: Graded, found: Any, nominal: float) -> Any:

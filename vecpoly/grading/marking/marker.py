@@ -67,6 +67,7 @@ def mark(
     findings = only_with_equation(findings, key, equations, rules)
     used = {key[name].mu for name in found.given}
     used |= {scale_of(one.block, key.quantities, key.scales) for one in map(key.__getitem__, found.given) if one.at}
+    used |= {key[one.key].mu for one in lines if one.earned}
     stated = {mu: worth for mu, worth in key.stated.items() if mu in sheet.stated and mu in {*used, *sheet.scales}}
     faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
     return Marked(

@@ -111,7 +111,12 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
     elif (one.kind is Kind.YES_NO or is_count(one)) and (said is None or said.id is Told.TWO_SLIPS):
         yield message(Told.NOT_RIGHT)
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED, Told.EXCHANGED):
-        yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
+        nothing = not found.given[one.key].value and abs(one.exact) <= one.allowed and one.at is None
+        yield (
+            message(Told.NOT_ZERO)
+            if nothing
+            else message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
+        )
     if outcome is not Outcome.WRONG and found.exact[one.key] is Outcome.WRONG and one.key in found.followed:
         source = source_of(found, one)
         yield message(Told.SIZE_OWN, src=found.key[source].symbol, v=_mine(found, source))
@@ -140,7 +145,9 @@ def source_of(found: Verdicts, one: Graded) -> str:
 def _demoted(found: Verdicts, one: Graded) -> Iterator[Message]:
     """What “right” is worth where a drawing can hardly tell it from another value."""
     if one.demoted and found.outcome[one.key].is_right and found.basis.get(one.key, Basis.EXACT) is Basis.EXACT:
-        yield message(Told.DEMOTED, t=_amount(one, one.allowed, 2), share=f"{100 * one.allowed / abs(one.exact):.0f}")
+        whole = max(abs(each.exact) for each in found.key.quantities if each.unit == one.unit)
+        size = whole if one.kind is Kind.PLACE or not one.exact else abs(one.exact)
+        yield message(Told.DEMOTED, t=_amount(one, one.allowed, 2), share=f"{100 * one.allowed / size:.0f}")
 
 
 def _sign(found: Verdicts, one: Graded) -> Iterator[Message]:

@@ -47,4 +47,5 @@ _TO_LINE = str.maketrans(_RAISED, "0123456789-+")
 def plain(text: str) -> str:
     """The text in ordinary characters: ３．２×１０² → 3.2×10^2."""
     narrow = text.translate(_WIDE).translate(_SIGNS).translate(ON_LINE)
-    return re.sub(f"[{_RAISED}]+", lambda found: "^" + found[0].translate(_TO_LINE), narrow).strip()
+    narrow = re.sub(r"^—\s*(?=[\d.])", "-", narrow.strip())  # the minus of a Chinese keyboard
+    return re.sub(f"[{_RAISED}]+", lambda found: "^" + found[0].translate(_TO_LINE), narrow)

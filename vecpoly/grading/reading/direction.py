@@ -11,7 +11,7 @@ from .minutes import in_degrees
 
 _ANGLE = r"([+-]?\d+(?:\.\d+)?)\s*"
 _DEGREES = re.compile(rf"[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*{_ANGLE}(?:°|deg|度)?\s*$", re.I)
-_UNIT = r"(?:(?<=[a-z秒米牛分度])|(?<=\^[2-4]))"  # an angle behind a unit needs no sign
+_UNIT = r"(?:(?<=[a-z秒米牛分度])|(?<=[\^sm秒米][2-4]))"  # an angle behind a unit needs no sign
 _BEHIND = re.compile(rf"{_UNIT}[\s,;]+{_ANGLE}(?:°|deg|度)\s*$", re.I)
 _SIGNS = {  # slanting ones first: 左上 is not 上
     45.0: "↗|⇗|右上|upper right",
@@ -43,12 +43,13 @@ class Pointing:
 
 _LEAD = re.compile(r"^(?:[≈~=≅∠@]|约为|约|方向(?:角)?|at|\s|:)+", re.I)
 _NUMBER = re.compile(r"([+-]?\d+(?:\.\d+)?(?:e[+-]?\d+)?)\s*(°|deg|度|rad|弧度)?", re.I)
+_WITHIN = re.compile(r"±|(?<=.)左右")  # 315 ± 1, 约 315 左右
 _COMMA = re.compile(r"([+-]?\d+),(\d+)")
 
 
 def as_direction(cell: str) -> str:
     """What stands in a column for directions, as it would stand behind a size: ``∠ 315°``; words as they are."""
-    bare = in_degrees(_COMMA.sub(r"\1.\2", _LEAD.sub("", plain(cell).partition("±")[0]))).strip()
+    bare = in_degrees(_COMMA.sub(r"\1.\2", _LEAD.sub("", _WITHIN.split(plain(cell))[0]))).strip()
     if (found := _NUMBER.fullmatch(bare)) is None:
         return cell.strip() if WIND.fullmatch(plain(cell)) else f"∠ {cell.strip()}"
     turned = float(found[1]) * (degrees(1.0) if (found[2] or "").lower() in ("rad", "弧度") else 1.0)

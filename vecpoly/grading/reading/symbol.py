@@ -45,8 +45,13 @@ def keyed(symbol: str, keys: Iterable[str]) -> str:
     if symbol in known:
         return symbol
     want = squeezed(symbol)
+<<<<<<< HEAD
     for same, meant in ((str, want), (str.lower, want), (_latin, want), (str, _other_way(want))):
         found = [key for key in known if same(squeezed(key)) == same(meant)]
+=======
+    for same in (str, str.lower, _latin, _centre):
+        found = [key for key in known if same(squeezed(key)) == same(want)]
+>>>>>>> w-lecturer2
         if len(found) == 1:
             return found[0]
         if found:
@@ -75,3 +80,8 @@ def _other_way(bar: str) -> str:
 def _latin(text: str) -> str:
     """w5 for ω5, aA for A: what a keyboard without Greek letters gives."""
     return re.sub(r"^w(?=\d)", "omega", text.lower())
+
+
+def _centre(text: str) -> str:
+    """P14 for P41: a centre is that of two links, whichever is named first."""
+    return re.sub(r"^p(\d)(\d)$", lambda found: "p" + "".join(sorted(found.groups())), text.lower())

@@ -28,6 +28,7 @@ _LATIN = (
     (r"N\.?m", "N*m"),
     (r"kN\.?m", "kN*m"),
 )
+_LARGE = re.compile(r"\bK(?=(?:N\.?m?|W|J|Pa|g)(?![a-z]))")  # KN, Kg
 PERCENT = "%"
 
 
@@ -57,9 +58,11 @@ def _spelt(text: str) -> str:
     found = text.strip().strip("()[]").replace("°", "deg")
     for chinese, plain in _CHINESE:
         found = found.replace(chinese, plain)
+    found = re.sub(r"(?<=N)-(?=m)", "*", _LARGE.sub("k", found))  # N-m
     for pattern, latin in _LATIN:
         found = latin if re.fullmatch(pattern, found, re.I if latin == "rpm" else 0) else found
     found = re.sub(r"/sec(?![a-z])", "/s", found)
-    found = re.sub(r"(?<=[A-Za-z秒米分])\s*([2-4])(?![\d.])", r"^\1", found)  # m/s2
+    power = "[2-4]" if "/" in found else "-?[1-4]"  # m/s2, m·s-1
+    found = re.sub(rf"(?<=[A-Za-z秒米分])\s*({power})(?![\d.])", r"^\1", found)
     found = re.sub(r"\s*[·*.]\s*|(?<=[\w)])\s+(?=[\w(])", "*", found)
     return re.sub(r"(s|秒)/\1$", r"\1^2", found).replace(" ", "").replace("^", "**")  # m/s/s

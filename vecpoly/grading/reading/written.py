@@ -79,7 +79,7 @@ _NONE = {
     "x",
 }
 _LEAD = re.compile(r"^(?:[A-Za-zΑ-ω][\w^{}]*\s*[=≈:])?(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)*", re.I)
-_WITHIN = re.compile(r"\s*(?:±|\+/?-)\s*\d+(?:\.\d+)?")  # 0.3 ± 0.01
+_WITHIN = re.compile(r"\s*(?:(?:±|\+/?-)\s*\d+(?:\.\d+)?|左右|上下)")  # 0.3 ± 0.01, 约 0.3 左右
 _ALONE = re.compile(r"\(([^(),;]+)\)(.*)")  # (0.3) m/s
 _FRACTION = re.compile(r"([+-]?\d+(?:\.\d+)?)\s*/\s*(\d+(?:\.\d+)?)(?![\d.])")
 _DATE = re.compile(r"(?:\d{4}-\d{2}-\d{2}(?: \d{2}:\d{2}:\d{2})?|\d{1,2}:\d{2}:\d{2})(?!\S)")  # also before a direction

@@ -7,17 +7,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ...batch.columns import NAME, NUMBER, TEAM, is_one
 from ...errors import UnknownNameError
-from ...grading.key import AnswerKey
+from ...grading.key import AnswerKey, Kind
 from ...grading.reading.characters import plain
 from ...grading.reading.symbol import keyed
+from ...grading.reading.unit import unit
 
-_IDENTITY = {
-    "student": ("学号", "学生编号", "number", "student", "student number", "student id", "id", "sid"),
-    "name": ("姓名", "name", "student name"),
-    "team": ("班级", "class", "team", "group"),
-    "sheet": ("卷号", "sheet", "variant"),
-}
+_IDENTITY = {"student": (*NUMBER, "student", "sid"), "name": NAME, "team": TEAM, "sheet": ("卷号", "sheet", "variant")}
 NO_PROBLEM = "no-problem"
 _SUFFIX = re.compile(
     r"^(?P<symbol>.*?)[\s_]*(?:\(?(?P<mm>mm)\)?|(?P<deg>deg|°|方向|direction)|(?P<sense>sense|转向))$", re.I
@@ -35,17 +32,18 @@ class Part(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """problem: as the key has it; symbol: of the key, or of a scale."""
+    """problem: as the key has it; symbol: of the key, or of a scale; unit: of what is written below, where it is
+    told."""
 
     problem: str
     symbol: str
     part: Part
+    unit: str = ""
 
 
 def identity(cell: str) -> str | None:
     """What of a student a column holds: student, name, team, sheet."""
-    bare = plain(cell).lower().replace("_", "").replace(" ", "").strip(".:*")
-    return next((what for what, heads in _IDENTITY.items() if bare in {one.replace(" ", "") for one in heads}), None)
+    return next((what for what, heads in _IDENTITY.items() if is_one(cell, heads)), None)
 
 
 def head(cell: str, keys: Mapping[str, AnswerKey], default: str | None = None) -> Head:
@@ -60,7 +58,10 @@ def head(cell: str, keys: Mapping[str, AnswerKey], default: str | None = None) -
     problem = problem.strip()
     key = keys[problem]
     names = [one.key for one in key.quantities] + list(key.scales) + [row.key for row in key.equations]
-    return Head(problem, *_symbol(symbol.strip(), names))
+    found = _symbol(symbol.strip(), names)
+    if found is None:
+        return _with_unit(problem, symbol, names, key)
+    return Head(problem, *found)
 
 
 def _only(keys: Mapping[str, AnswerKey], text: str, named: str) -> str:
@@ -87,13 +88,35 @@ def _only(keys: Mapping[str, AnswerKey], text: str, named: str) -> str:
     )
 
 
-def _symbol(symbol: str, names: Sequence[str]) -> tuple[str, Part]:
-    """The symbol and the part; a symbol that ends like a part is itself where the key has it."""
-    try:
-        return keyed(symbol, names), Part.VALUE
-    except UnknownNameError:
-        found = _SUFFIX.match(symbol)
-        if found is None:
-            raise
-        part = Part.LENGTH if found["mm"] else Part.DIRECTION if found["deg"] else Part.SENSE
-        return keyed(found["symbol"], names), part
+def _symbol(symbol: str, names: Sequence[str]) -> tuple[str, Part] | None:
+    """The symbol and the part; a symbol that ends like a part is itself where the key has it. None: neither."""
+    found = _SUFFIX.match(symbol)
+    for name, part in ((symbol, Part.VALUE), (found["symbol"] if found else "", _part(found))):
+        try:
+            return keyed(name, names), part
+        except UnknownNameError:
+            continue
+    return None
+
+
+def _part(found: re.Match[str] | None) -> Part:
+    if found is None:
+        return Part.VALUE
+    return Part.LENGTH if found["mm"] else Part.DIRECTION if found["deg"] else Part.SENSE
+
+
+def _with_unit(problem: str, symbol: str, names: Sequence[str], key: AnswerKey) -> Head:
+    """v_E (m/s), ω_2/(rad·s⁻¹), v_E/mm: values in this unit; mm of what is no length is its length on paper.
+
+    Raises UnknownNameError.
+    """
+    named = re.split(r"[/,(\[]", symbol, maxsplit=1)
+    said = named[-1].strip(" /,()[]")
+    if len(named) == 1 or unit(said) is None:
+        keyed(symbol.strip(), names)  # raises, with the nearest
+    name = keyed(named[0].strip(), names)
+    one = key.find(name)
+    part = Part.VALUE
+    if one is not None and one.kind is Kind.VECTOR:
+        part = {"mm": Part.LENGTH, "°": Part.DIRECTION, "deg": Part.DIRECTION, "度": Part.DIRECTION}.get(said, part)
+    return Head(problem, name, part, said if part is Part.VALUE else "")

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from ...grading.key import AnswerKey, Kind
+from ...grading.reading.characters import plain
 from ...grading.reading.direction import as_direction
+from ...grading.reading.number import NUMBER
 from ...grading.reading.sense import as_sense
+from ...grading.reading.written import State, written
 from .heads import Head, Part
+
+_NUMBER = re.compile(r"[\d.]+")
 
 
 def joined(key: AnswerKey, parts: Mapping[Head, str]) -> dict[str, str]:
@@ -15,12 +21,12 @@ def joined(key: AnswerKey, parts: Mapping[Head, str]) -> dict[str, str]:
     cells: dict[str, str] = {}
     for head, text in parts.items():
         if head.part is Part.VALUE:
-            cells[head.symbol] = text
+            cells[head.symbol] = with_unit(text, head.unit) if head.unit and text.strip() else text
     for head, text in parts.items():
         if not text.strip():
             continue
         if head.part is Part.LENGTH:
-            _length(key, head.symbol, text, cells)
+            _length(key, head, text, cells)
     for head, text in parts.items():
         if not text.strip() or not cells.get(head.symbol, "").strip():
             continue
@@ -31,17 +37,30 @@ def joined(key: AnswerKey, parts: Mapping[Head, str]) -> dict[str, str]:
     return cells
 
 
-def _length(key: AnswerKey, symbol: str, text: str, cells: dict[str, str]) -> None:
+def cell_of(key: AnswerKey, head: Head) -> str:
+    """The symbol under which what stands in a column is judged: a length on paper has letters of its own."""
+    one = key.find(head.symbol)
+    return one.line if one is not None and head.part is Part.LENGTH and one.line else head.symbol
+
+
+def with_unit(text: str, unit: str) -> str:
+    """What was written, with the unit of its column where none stands beside it."""
+    bare = text.strip()
+    if not _NUMBER.fullmatch(bare):
+        said = written(bare)
+        if said.state is not State.READ or said.unit is not None or said.yes is not None:
+            return bare
+        if said.direction is not None and (found := NUMBER.search(bare := plain(bare))) is not None:
+            return f"{bare[: found.end()]} {unit} {bare[found.end() :]}"
+    return f"{bare} {unit}"
+
+
+def _length(key: AnswerKey, head: Head, text: str, cells: dict[str, str]) -> None:
     """Under the letters of the length where it is one that is read; else it stands for the value."""
-    one = key.find(symbol)
-    length = text if "mm" in text else f"{text.strip()} mm"
+    one = key.find(head.symbol)
     if one is None:
         return
-    if one.line:
-        cells.setdefault(one.line, length)
-        if not cells[one.line].strip():
-            cells[one.line] = length
-    elif one.kind is Kind.READING:
-        cells[symbol] = text
-    elif not cells.get(symbol, "").strip():
-        cells[symbol] = length
+    if one.kind is Kind.READING:
+        cells[head.symbol] = text
+    elif not cells.get(name := cell_of(key, head), "").strip():
+        cells[name] = with_unit(text, "mm")

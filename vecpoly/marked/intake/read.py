@@ -13,7 +13,7 @@ from ...grading.reading.written import State, written
 from ...words import Words
 from .documents import documents
 from .heads import NO_PROBLEM, Head, Part, head, identity
-from .joined import joined
+from .joined import cell_of, joined, with_unit
 from .others import Sheets, of_others
 from .pages import Page, pages
 from .returned import Answers, Returned
@@ -124,8 +124,18 @@ def _wide_rows(
         for problem, key in keys.items():
             parts = {one: row[j] for j, one in heads.items() if one.problem == problem and j < len(row)}
             if any(text.strip() for text in parts.values()):  # a row of blanks is nobody's work
-                places = {one.symbol: page.place(n, j) for j, one in heads.items() if one.problem == problem}
+                places = _places(page, n, {j: one for j, one in heads.items() if parts.get(one, "").strip()}, key)
                 returned.add(Answers(student=number, problem=problem, cells=joined(key, parts), places=places))
+
+
+def _places(page: Page, n: int, heads: Mapping[int, Head], key: AnswerKey) -> dict[str, Place]:
+    """Where each answer of a row stands: its value, or what else there is of it."""
+    found: dict[str, Place] = {}
+    for part in Part:
+        for j, one in heads.items():
+            if one.part is part:
+                found.setdefault(cell_of(key, one), page.place(n, j))
+    return found
 
 
 def _of_merged(page: Page, n: int, heads: Mapping[int, Head], number: str, returned: Returned) -> None:
@@ -172,7 +182,7 @@ def _long_rows(
             returned.fault(page.place(n, columns["step"]), "step", error.words)
             continue
         mine = parts.setdefault((cell["student"], one.problem), {})
-        mine[one] = " ".join(filter(None, (cell["value"], cell.get("unit", ""))))
+        mine[one] = with_unit(cell["value"], cell["unit"]) if cell.get("unit") else cell["value"]
         for what, part in (("sense", Part.SENSE), ("mm", Part.LENGTH), ("deg", Part.DIRECTION)):
             if cell.get(what):
                 mine[Head(one.problem, one.symbol, part)] = cell[what]

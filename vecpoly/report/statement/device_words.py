@@ -99,7 +99,7 @@ _RUN = {
     "N_b": Words("制动时的转数", "number of revolutions with the brake"),
 }
 _EPICYCLIC = {
-    r"v_\w+": Words("速度", "velocity"),
+    r"v_\w+": Words("速度的大小", "speed"),
     r"omega_\w+": Words("角速度", "angular velocity"),
     r"i_\w+": Words("传动比", "speed ratio"),
 }

@@ -43,7 +43,15 @@ def _same(key: DrawingKey, shape: Shape | None, match: Match, name: str) -> bool
             return False
     exact = key.exact.shape(name)
     undrawn = {edge.key for edge in exact.edges if edge.key not in match.lines} if exact else set()
-    return not any(quantity in undrawn and abs(along) > ROOM for quantity, along in there.items())
+    return all(_spared(key, match, name, quantity, there[quantity]) for quantity in undrawn & there.keys())
+
+
+def _spared(key: DrawingKey, match: Match, name: str, quantity: str, along: complex) -> bool:
+    """Whether a vector need not be drawn: it is nothing, or both its ends are there, where only its line is left
+    out."""
+    ends = {end for line in match.lines.values() for end in (line.start, line.end)}
+    room = key.allowance.wrong * key.allowed[name, quantity].mm + ROOM
+    return abs(along) <= ROOM or any(abs(b - a - along) <= room for a in ends for b in ends)
 
 
 def turned_over(shape: Shape, places: Mapping[str, complex], wrong: Sequence[VectorMark]) -> Iterator[Words]:

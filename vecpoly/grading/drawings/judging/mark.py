@@ -15,6 +15,11 @@ _OTHERS = Words(
     "no vector on it is one of this problem: is it the drawing of another problem, or another student's? check it",
 )
 
+_ALL_TURNED = Words(
+    "各多边形整体转了方向或镜像了：图纸是否放斜了，或是别人的图？请核对",
+    "every polygon is turned as a whole, or in a mirror: did the sheet lie askew, or is it another student's? check it",
+)
+
 
 class Verdict(StrEnum):
     """As for numbers: within T, within `wrong` T, beyond; or not drawn."""
@@ -132,6 +137,8 @@ class DrawingMark:
             return Words("整幅图左右镜像了；请核对", "the whole drawing is mirrored; check it")
         if self.turned:
             return Words("整幅图转了方向；请核对", "the whole drawing is turned; check it")
+        if (there := [one for one in self.figures if one.drawn]) and all(one.turned or one.mirrored for one in there):
+            return _ALL_TURNED
         return _OTHERS if self.vectors and not self.slips and not any(map(_as_asked, self.vectors)) else None
 
     @property

@@ -18,6 +18,7 @@ ROUND, DOT = 8, 4.0  # corners, and mm across, of what stands for a small circle
 NEAR = 0.2  # mm: from a head's axis to its line
 SAME_LINE = 0.35  # of the letters' height: a subscript
 GAP = 0.6
+FLAT = 1e-3  # of its chord: a curve that leaves it by less is a line
 
 
 @dataclass(slots=True)
@@ -97,6 +98,12 @@ class Found:
             )
         headed = _headed(self.segments, self.heads)
         return Drawing(file=self.file, segments=headed, labels=tuple(_runs(self.labels)), remarks=tuple(self.remarks))
+
+
+def is_straight(start: complex, *through: complex, end: complex) -> bool:
+    """Whether a curve by these points runs straight: some programs draw the shaft of an arrow as a spline."""
+    places = [(point - start) / (end - start) for point in through] if end != start else [1j]
+    return all(abs(at.imag) <= FLAT and -FLAT <= at.real <= 1 + FLAT for at in places)
 
 
 def _headed(segments: Sequence[Segment], heads: Iterable[tuple[complex, ...]]) -> tuple[Segment, ...]:

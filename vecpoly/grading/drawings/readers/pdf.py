@@ -13,7 +13,7 @@ from ....errors import FaultError
 from ....limits import DRAWING_PAGES, DRAWING_UNPACKED
 from ....words import Words
 from ..segment import Drawing, Label, Segment
-from .found import Found
+from .found import Found, is_straight
 from .refuse import reading, too_large_unpacked
 
 MM = 25.4 / 72
@@ -84,7 +84,7 @@ def _page(page: Any, number: int, found: Found) -> None:
         return complex(point[0], -point[1]) * unit + shift
 
     for shape in (*page.lines, *page.curves):
-        straight = all(step[0] in "mlh" for step in shape.get("path", ()))
+        straight = _is_straight(shape.get("path", ()))
         points = [at(point) for point in shape["pts"]]
         if shape.get("fill") and straight:
             found.area(points)
@@ -94,3 +94,14 @@ def _page(page: Any, number: int, found: Found) -> None:
     for word in page.extract_words(extra_attrs=["size"], keep_blank_chars=False):
         height = float(word["size"]) * unit
         found.letter(Label(text=word["text"], at=at((word["x0"], word["bottom"])) + 0.2j * height, height=0.7 * height))
+
+
+def _is_straight(path: Sequence[Sequence[Any]]) -> bool:
+    """Whether an outline has straight sides alone."""
+    at = 0j
+    for kind, *points in path:
+        before, through = at, [complex(*point) for point in points]
+        at = through[-1] if through else at
+        if kind not in "mlh" and not (kind == "c" and is_straight(before, *through[:-1], end=at)):
+            return False
+    return True

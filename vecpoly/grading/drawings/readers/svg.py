@@ -14,7 +14,7 @@ from ....foundation.slotted import replace
 from ....limits import DRAWING_NESTED, DRAWN
 from ....words import Words
 from ..segment import Drawing, Label, Segment
-from .found import Found
+from .found import Found, is_straight
 from .refuse import reading, xml
 
 if TYPE_CHECKING:
@@ -160,11 +160,13 @@ def _lines(one: Element, tag: str) -> Iterator[list[complex]]:
 
 
 def _of_path(d: str) -> Iterator[list[complex]]:
-    from svgpathtools import Line, parse_path
+    from svgpathtools import Arc, Line, parse_path
 
     run: list[complex] = []
     for piece in parse_path(d):
-        straight = isinstance(piece, Line)
+        straight = isinstance(piece, Line) or (
+            not isinstance(piece, Arc) and is_straight(piece.start, *piece.bpoints()[1:-1], end=piece.end)
+        )
         if run and (not straight or abs(piece.start - run[-1]) > 1e-9):
             yield run
             run = []

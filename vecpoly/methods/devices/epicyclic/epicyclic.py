@@ -9,11 +9,10 @@ from ....algebra.formula import sym
 from ....algebra.quantity import Sum, magnitude, number
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
-from ....devices.gears.epicyclic import Epicyclic
+from ....devices.gears.epicyclic import Epicyclic, speed_of
 from ....diagram.half_section import half_section
 from ....diagram.wheels import epicyclic_train, held, number_of_ring, second_sun
 from ....errors import NotAskedError
-from ....names import Named
 from ....plane import Line, Points, nominal, unit
 from ....words import Words
 from ..bench import Bench
@@ -135,7 +134,7 @@ def _laid(bench: Bench, train: Epicyclic, key: str, foot: Points) -> Points:
     board, omega = bench.board, train.omegas[key]
     assert omega is not None
     radius = magnitude(f"r_{{{key}}}", train.radii[key], "m")
-    named = Named(f"v_{POINTS[key]}", f"v_{{{POINTS[key]}}}", "m/s")
+    named = speed_of(POINTS[key])
     speed = bench.worked(named, magnitude(f"ω_{key}", omega.si, "rad/s") * radius)
     mm = abs(float(nominal(board.to_paper_across(RADII, speed.value))))
     if NOTHING < mm < READABLE:
@@ -168,7 +167,7 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
         raise _unreadable(point, mm)
     on_paper = board.measure(foot, tip, letters)
     size = magnitude(scale.symbol, scale.value, scale.per_mm) * on_paper
-    named = Named(f"v_{point}", f"v_{{{point}}}", "m/s")
+    named = speed_of(point)
     bench.worked(named, size if float(nominal(tip - foot).real) <= 0 else Sum((size,), (-1,)))
     bench.read_off(named, RADII, on_paper, letters, scale)
     return tip
