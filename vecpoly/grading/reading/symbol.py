@@ -45,13 +45,8 @@ def keyed(symbol: str, keys: Iterable[str]) -> str:
     if symbol in known:
         return symbol
     want = squeezed(symbol)
-<<<<<<< HEAD
-    for same, meant in ((str, want), (str.lower, want), (_latin, want), (str, _other_way(want))):
-        found = [key for key in known if same(squeezed(key)) == same(meant)]
-=======
-    for same in (str, str.lower, _latin, _centre):
+    for same in (str, str.lower, _latin, _centre, _bar):
         found = [key for key in known if same(squeezed(key)) == same(want)]
->>>>>>> w-lecturer2
         if len(found) == 1:
             return found[0]
         if found:
@@ -72,11 +67,6 @@ def keyed(symbol: str, keys: Iterable[str]) -> str:
     )
 
 
-def _other_way(bar: str) -> str:
-    """CD for DC, or for l_DC: a bar by its ends, the other way round."""
-    return re.sub(r"^l?([A-Z])([A-Z])(?=\d*$)", r"\2\1", bar)
-
-
 def _latin(text: str) -> str:
     """w5 for ω5, aA for A: what a keyboard without Greek letters gives."""
     return re.sub(r"^w(?=\d)", "omega", text.lower())
@@ -85,3 +75,8 @@ def _latin(text: str) -> str:
 def _centre(text: str) -> str:
     """P14 for P41: a centre is that of two links, whichever is named first."""
     return re.sub(r"^p(\d)(\d)$", lambda found: "p" + "".join(sorted(found.groups())), text.lower())
+
+
+def _bar(text: str) -> str:
+    """CD for DC, or for l_DC: a bar has two ends, whichever is named first."""
+    return re.sub(r"^l?([A-Z])([A-Z])(?=\d*$)", lambda found: "".join(sorted(found.groups())), text)
