@@ -84,7 +84,7 @@ def test_the_check_ends_with_what_it_comes_to(name: str) -> None:
         assert told or rows <= 1, "several values were read, and nothing is said of them"
         cells = {cell.lstrip("+−") for table in tables for row in table.rows for cell in row}
         for off, unit, error in _AMOUNT.findall(told):
-            seen = {off, off + unit.strip()} & cells and {error, error + unit.strip()} & cells
+            seen = all({text, text + unit.strip(), f"{text} {unit.strip()}"} & cells for text in (off, error))
             assert seen or not rows, (off, error)
 
 

@@ -28,6 +28,7 @@ from .content import Objects, beside_tables, by_rank, cautions, conclusions
 from .flow.blocks import Callout
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
+from .flow.results.halved import even
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .identity import identity
@@ -182,7 +183,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     common = {
         **beside_tables(solution, lang),
         "repeats": REPEATS,
-        "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
+        "data": [objects.add("tab", even(one)) for one in given_tables(solution.problem, lang)],
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     if style == "question":
@@ -201,24 +202,24 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     names, homes = ([], []) if blocks or _repeats(solution.construction) else pages(solution, lang, objects)
     return {
         "moved": moved,
-        "verified": objects.add("tab", verified) if verified else "",
+        "verified": objects.add("tab", even(verified)) if verified else "",
         "beside": "beside" if beside_exact(solution) else "",
         "heads": heads_told(verified, lang),
-        "lines": objects.add("tab", lines) if lines else "",
+        "lines": objects.add("tab", even(lines)) if lines else "",
         "tables": printed_tables(
             solution.problem,
             lang,
-            lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang)),
+            lambda _, header, rows, align: objects.add("tab", even(DataTable(header, rows, None, align, lang=lang))),
         ),
         "sections": with_plates(sections(solution, lang, objects), names, homes, objects),
-        "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
+        "results": [objects.add("tab", even(made)) for made in check_tables(solution, lang)],
         "alone": check_words(solution, lang),
         "verdict": verdict_of(solution, lang),
         "unlisted": unlisted(solution),
         "counts": by_rank(solution, lang),
         "directed": answer.directed,
         "design": isinstance(solution.problem.subject, Design),
-        "printed": objects.add("tab", printed) if printed is not None else "",
+        "printed": objects.add("tab", even(printed)) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
         "concluded": concluded(checked, lang),
         "missed": moved_verdict(solution, lang),
