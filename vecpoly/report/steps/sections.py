@@ -16,6 +16,7 @@ from ..flow.results.abreast import abreast
 from ..on_paper import on_paper
 from ..tables import listed
 from .lines import chained, displayed, with_results
+from .pointing import pointed
 from .rows import in_runs, lead_of, rows_table
 
 
@@ -43,5 +44,5 @@ def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Ma
         "words": with_results(on_paper(step.words.of(lang), solution), step, solution, lang),
         "equation": objects.add("eq", step.equation) if step.equation else "",
         "table": objects.add("tab", listed(step.listing, lang)) if step.listing else "",
-        "formulas": [objects.add("f", one) for one in abreast(lines)],
+        "formulas": [objects.add("f", one) for one in abreast([pointed(line, lang) for line in lines])],
     }
