@@ -19,6 +19,7 @@ _MOST = 4  # lines in a sentence
 _UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
 _WORKED, _NOTHING = 6, " = 0 "  # parts of a line symbol = formula = numbers = result; how one ends that vanishes
 _ZERO = re.compile(r"(?<![\d.])0(?![\d.])")
+_EQUAL, _INDEX = 3, re.compile(r"_\w+")  # lines that are told together; what differs in them
 _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
 
@@ -39,6 +40,28 @@ def chained(lines: Sequence[Node]) -> Iterator[Node]:
         symbols = {plain(one): one for line in run if isinstance(line, Row) for one in (line.items[2], line.items[0])}
         linked = [item for one in symbols.values() for item in (one, Txt(EQUALS))]
         yield Row((*linked[:-1], Txt(end)))
+
+
+def together(lines: Sequence[Node]) -> Iterator[Node]:
+    """Lines in a row that reckon the same of equal bodies, three or more, as one: W_1 = W_2 = W_3 = m_1 r_1 = ..."""
+    for way, some in groupby(lines, key=_reckoned):
+        run = list(some)
+        if way is None or len(run) < _EQUAL:
+            yield from run
+            continue
+        first = run[0]
+        assert isinstance(first, Row)
+        others = [item for line in run[1:] if isinstance(line, Row) for item in (Txt(EQUALS), line.items[0])]
+        yield Row((first.items[0], *others, *first.items[1:]))
+
+
+def _reckoned(line: Node) -> tuple[str, str, str] | None:
+    """The form of symbol = formula = numbers = result without its indices, its numbers and its result; None of another
+    line."""
+    if not isinstance(line, Row) or len(line.items) != _WORKED:
+        return None
+    form = "=".join(_INDEX.sub("", plain(line.items[n])) for n in (0, 2))
+    return form, plain(line.items[-2]), plain(line.items[-1])
 
 
 def _end_of_chain(line: Node) -> str | None:

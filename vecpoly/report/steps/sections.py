@@ -15,7 +15,7 @@ from ..content import Objects
 from ..flow.results.abreast import abreast
 from ..on_paper import on_paper
 from ..tables import listed
-from .lines import chained, displayed, with_results
+from .lines import chained, displayed, together, with_results
 from .pointing import pointed
 from .rows import in_runs, lead_of, rows_table
 
@@ -38,7 +38,7 @@ def _run(steps: tuple[Step, ...], lang: Lang, objects: Objects) -> dict[str, Any
 
 
 def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Mapping[int, Node]) -> dict[str, Any]:
-    lines = [*chained([same.get(id(node), node) for node in displayed(step, solution)])]
+    lines = [*together([*chained([same.get(id(node), node) for node in displayed(step, solution)])])]
     return {
         "n": step.number,
         "words": with_results(on_paper(step.words.of(lang), solution), step, solution, lang),

@@ -73,7 +73,7 @@ def _teeth(st: Statics, one: Carried, across: Reaction, pair: tuple[Mesh, Mesh])
     mesh, other = pair
     h, k = (st.desk.at[each.teeth.point] for each in pair)
     named = st.named(mesh.by, one.planet)
-    st.board.step(_told(st, one, pair), group_pane(st, *one.links))
+    st.board.step(_told(st, one, pair), group_pane(st, *one.links), again=_told_again(st, one, pair))
     turning = _known(st, one, across, other.teeth.point, k)
     if not turning.way:
         st.board.remark(Words(f"故 ${named.symbol}$ = 0。", f" so ${named.symbol}$ = 0."))
@@ -130,6 +130,17 @@ def _told(st: Statics, one: Carried, pair: tuple[Mesh, Mesh]) -> Words:
         f"${symbol}$ acts along the line of action, at the pressure angle $α$ = {alpha} to the common tangent. The "
         f"reaction ${rest}$ passes through ${k}$, and so does the part of ${held}$ along ${bar}$: $ΣM_{k}$ = 0 of "
         f"link {number} gives ${symbol}$ and its sense; teeth can only press, which determines the flank:",
+    )
+
+
+def _told_again(st: Statics, one: Carried, pair: tuple[Mesh, Mesh]) -> Words:
+    """The same of other teeth, whose line of action and flank are found likewise."""
+    k, number = pair[1].teeth.point, st.mech.number(one.planet)
+    symbol = st.named(pair[0].by, one.planet).symbol
+    return Words(
+        f"同样，${symbol}$ 沿节点 ${pair[0].teeth.point}$ 处的啮合线，由构件 {number} 的 $ΣM_{k}$ = 0 求 ${symbol}$：",
+        f"Likewise ${symbol}$ acts along the line of action at ${pair[0].teeth.point}$; $ΣM_{k}$ = 0 of link "
+        f"{number} gives ${symbol}$:",
     )
 
 
