@@ -8,7 +8,7 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
-from vecpoly.algebra.formula import Node, plain
+from vecpoly.algebra.formula import Node, Row, plain
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import Point
 from vecpoly.problem.load import load
@@ -51,7 +51,8 @@ def _bare(label: str) -> str:
 def test_a_velocity_that_is_read_off_is_told_with_its_direction(lang: Lang, told: str) -> None:
     objects = Objects()
     steps = [step for part in sections(solve(load("3-9")), lang, objects) for step in part["steps"]]
-    lines = [plain(one) for step in steps for ref in step["formulas"] if not hasattr(one := objects.named[ref], "wrap")]
+    found = [objects.named[ref] for step in steps for ref in step["formulas"]]
+    lines = [plain(one) for one in found if isinstance(one, Row)]
     assert any(line.startswith("v_D = ") and line.endswith(told) for line in lines)
 
 
