@@ -9,7 +9,7 @@ from typing import Any
 
 from jinja2 import TemplateNotFound
 
-from ..board.construction import Construction
+from ..board.construction import Construction, Figure
 from ..check.printed.answers import check_problem
 from ..designs.base import Design
 from ..drawing.sheets.sheet import hung
@@ -19,13 +19,14 @@ from ..foundation.data import data_dir
 from ..foundation.files import write_whole
 from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
+from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.checks import check_tables, check_words, unlisted
 from .answers.moved import moved_verdict
 from .answers.verdict import verdict_of
 from .content import Objects, beside_tables, by_rank, cautions, conclusions
-from .flow.blocks import Callout
+from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
 from .flow.results.halved import even
@@ -33,7 +34,7 @@ from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .identity import identity
 from .lines import lines_table
-from .picture import diagram, to_scale
+from .picture import diagram, magnified, to_scale
 from .plates.bound import bound, pages, with_plates
 from .plates.sketch import LETTERED, sketch_of
 from .printed_tables import printed_tables
@@ -53,6 +54,7 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
 }
 _SOLVED = Words("解答（solve 的结果）", "a solution, as solve gives it,")
 STYLES = ("solution", "question", "course")
+WIDEST = 160.0  # mm: of a sketch that is drawn larger, to fill its page
 PICTURE = (125.0 / LETTERED, 62.0 / LETTERED)  # mm: room for the mechanism beside the statement
 ALONE = (140.0 / LETTERED, 85.0 / LETTERED)  # mm: where no sheet follows, on which it would be larger
 
@@ -172,6 +174,14 @@ def _title(solutions: Sequence[Solution]) -> Words:
     return Words(f"{name.zh}　{problem.title.zh}", f"{name.en}: {problem.title.en}") if name.zh else problem.title
 
 
+def _sketch(figure: Figure, solution: Solution, lang: Lang) -> Drawing:
+    """The picture beside the statement, which may be drawn larger on a page that ends early."""
+    drawn = sketch_of(figure, solution, lang, sketch=True)
+    widest = WIDEST * MM / drawn.size[0]
+    drawn.ampler = lambda times: _sketch(magnified(figure, min(times, widest)), solution, lang)
+    return drawn
+
+
 def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> dict[str, Any]:
     """All that a template may say of one problem."""
     if style == "course":
@@ -184,7 +194,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         **beside_tables(solution, lang),
         "repeats": REPEATS,
         "data": [objects.add("tab", even(one)) for one in given_tables(solution.problem, lang)],
-        "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
+        "picture": objects.add("pic", _sketch(drawn, solution, lang)) if drawn else "",
     }
     if style == "question":
         blank, places = frames(solution.construction, solution.problem)
