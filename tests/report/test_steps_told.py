@@ -177,3 +177,12 @@ def test_what_is_computed_has_the_figures_of_what_is_read_beside_it(name: str) -
         line.endswith(" = 5.00 m/s^2") for line in lines
     )
     assert checked(solution)
+
+
+def test_lines_that_reckon_the_same_of_equal_bodies_are_one_and_a_factor_of_zero_has_no_numbers() -> None:
+    solution, objects = solve(load("6-6")), Objects()
+    steps = [step for part in sections(solution, "en", objects) for step in part["steps"]]
+    lines = [plain(one) for step in steps for ref in step["formulas"] if isinstance(one := objects.named[ref], Row)]
+    assert "W_1 = W_2 = W_3 = m_1\u2009r_1 = 400 × 12.7 = 5080 g·mm" in lines
+    (zero,) = (line for line in lines if line.startswith("W_S = "))
+    assert zero.endswith(" = 0 g·mm") and "×" not in zero
