@@ -137,7 +137,9 @@ def _values(every: list[Answer], solution: Solution, lang: Lang) -> DataTable:
     once = named_once(every, solution, lang)
     answers = [one for one, _ in once]
     header, rows = filled(answers, solution, lang)
-    rows = _without_gaps([(name, *row[1:]) for (_, name), row in zip(once, rows, strict=True)], _SCALE)
+    rows = [(name, *row[1:]) for (_, name), row in zip(once, rows, strict=True)]
+    if not any(one.short for one in answers):  # that a length is too short is told beside it
+        rows = _without_gaps(rows, _SCALE)
     return trimmed(header, rows, (), _ALIGN, lang, [unit_of(one) for one in answers])
 
 
