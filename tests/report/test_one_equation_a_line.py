@@ -16,7 +16,7 @@ from vecpoly.report.flow.base import Tightness
 from vecpoly.report.flow.formula import Formula, in_columns
 from vecpoly.report.flow.para import Para
 from vecpoly.report.flow.results.abreast import Abreast, abreast
-from vecpoly.report.steps.lines import chained, displayed
+from vecpoly.report.steps.lines import chained, displayed, together
 from vecpoly.report.steps.sections import sections
 from vecpoly.typeset.box import MM
 
@@ -44,7 +44,7 @@ def test_a_step_sets_each_of_its_equations_by_itself(name: str) -> None:
     counts = {step["n"]: sum(len(_set_in(objects.named[ref])) for ref in step["formulas"]) for step in told}
     twins = lines_of_twins(solution, "zh")
     shown = {
-        step.number: len([*chained([twins.get(id(one), one) for one in displayed(step, solution)])])
+        step.number: len([*together([*chained([twins.get(id(one), one) for one in displayed(step, solution)])])])
         for step in solution.construction.steps
     }
     assert counts == {number: shown[number] if counts[number] else 0 for number in counts}

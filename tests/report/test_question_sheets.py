@@ -64,7 +64,7 @@ from vecpoly.report.question.framed.origin import ORIGIN
 from vecpoly.report.question.kinds import kind
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.whole import whole
-from vecpoly.report.question.working import BEGUN, SQUARE, working
+from vecpoly.report.question.working import BEGUN, SQUARE, Spare, working
 from vecpoly.report.statement.asked import asked, in_order
 from vecpoly.solution import solve
 from vecpoly.typeset.box import MM
@@ -264,7 +264,8 @@ def test_squares_are_parted_by_no_page_break_where_the_work_has_room_in_two_colu
 def test_there_are_squares_to_work_on_where_something_is_computed(name: str, computed: bool) -> None:
     assert bool(working_room(drawn(name).solution)) is computed
     foot = [Heading("Readings", 3, "en")]
-    assert working("Working", 0.0, foot, "en") == foot
+    (block,) = working("Working", 0.0, foot, "en")
+    assert isinstance(block, Spare) and block.split(COLUMN, 1.0) == foot
 
 
 def test_a_range_is_told_as_each_language_tells_it() -> None:

@@ -15,9 +15,8 @@ from tests.laws import few
 from vecpoly.printed.digits import exact_number
 from vecpoly.problem.load import load
 from vecpoly.report.answers.checks import check_tables, check_words, checked, unlisted
-from vecpoly.report.answers.kinds import kinds
 from vecpoly.report.answers.placed import clean
-from vecpoly.report.answers.tables import readings_tables, tabled
+from vecpoly.report.answers.tables import readings_tables, sign_of_deviation, tabled
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.results.halved import LONG, HalvedTable
 from vecpoly.report.values import called
@@ -48,11 +47,11 @@ def test_no_sheet_of_a_report_says_what_its_box_of_answers_says(name: str) -> No
 
 @each(DRAFTED)
 def test_a_column_of_the_check_has_one_unit_which_stands_in_its_head(name: str) -> None:
-    """But in a table of two or three quantities that are each off in another unit."""
+    """But where some are off by per cents and others by degrees, which share one table."""
     solution = drafted(name)
     for table in check_tables(solution, "en") if solution is not None else ():
         assert solution is not None
-        shared = len(kinds(tabled(checked(solution))[1])) == len(table.rows) > 1
+        shared = len({sign_of_deviation(one) for one in tabled(checked(solution))[1]}) > 1
         cells = [cell for row in table.rows for cell in row[1:]]
         assert shared or not [cell for cell in cells if cell.endswith(("%", "°")) or NUMBER_AND_UNIT.match(cell)]
 
@@ -70,8 +69,11 @@ def test_whatever_was_read_is_checked_and_what_is_computed_has_no_row(name: str)
         assert not read or answer.key in listed, answer.key
         if answer.key in listed and not answer.is_place:
             name, exact = called(answer.reading.symbol, answer.key, "en"), exact_number(answer, clean(answer))
-            if f"The value of {name} was read as" in told:  # alone in its kind
+            if f"The value of {name} was read as" in told:  # alone
                 assert f"exactly it is {exact}" in told and name not in rows
+                continue
+            if name not in rows:  # it vanishes, as others do
+                assert exact == "0" and re.search(rf"{re.escape(name)}.*were read as 0", told)
                 continue
             row = rows[name]
             assert row[1:] != ("—",) * (len(row) - 1)
@@ -93,6 +95,17 @@ def test_a_lone_point_has_a_sentence_in_place_of_a_table_of_one_row(name: str) -
 def test_points_that_are_several_or_all_that_is_asked_have_their_table() -> None:
     solution = solve(load("3-6"), repeats=20)
     assert not check_words(solution, "en") and len(check_tables(solution, "en")) == 2
+
+
+@each(DRAFTED)
+def test_a_check_has_one_table_of_values_and_no_row_of_zeros(name: str) -> None:
+    solution = drafted(name)
+    tables = check_tables(solution, "en") if solution is not None else ()
+    assert sum("Distance /mm" not in table.header for table in tables) <= 1
+    for table in tables:
+        values = [n for n, head in enumerate(table.header) if head.startswith(("Drawn", "Exact"))]
+        sizes = [row for row in table.rows if "°" not in row]  # 0° is a direction
+        assert len(table.rows) == 1 or not [row for row in sizes if {row[n] for n in values} == {"0"}]
 
 
 @each(IDS)

@@ -84,7 +84,7 @@ def test_the_check_ends_with_what_it_comes_to(name: str) -> None:
         assert told or rows <= 1, "several values were read, and nothing is said of them"
         cells = {cell.lstrip("+−") for table in tables for row in table.rows for cell in row}
         for off, unit, error in _AMOUNT.findall(told):
-            seen = {off, off + unit.strip()} & cells and {error, error + unit.strip()} & cells
+            seen = all({text, text + unit.strip(), f"{text} {unit.strip()}"} & cells for text in (off, error))
             assert seen or not rows, (off, error)
 
 
@@ -177,3 +177,12 @@ def test_what_is_computed_has_the_figures_of_what_is_read_beside_it(name: str) -
         line.endswith(" = 5.00 m/s^2") for line in lines
     )
     assert checked(solution)
+
+
+def test_lines_that_reckon_the_same_of_equal_bodies_are_one_and_a_factor_of_zero_has_no_numbers() -> None:
+    solution, objects = solve(load("6-6")), Objects()
+    steps = [step for part in sections(solution, "en", objects) for step in part["steps"]]
+    lines = [plain(one) for step in steps for ref in step["formulas"] if isinstance(one := objects.named[ref], Row)]
+    assert "W_1 = W_2 = W_3 = m_1\u2009r_1 = 400 × 12.7 = 5080 g·mm" in lines
+    (zero,) = (line for line in lines if line.startswith("W_S = "))
+    assert zero.endswith(" = 0 g·mm") and "×" not in zero

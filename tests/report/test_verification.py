@@ -103,6 +103,10 @@ def test_what_a_single_solution_does_is_said_in_a_sentence_and_of_several_in_a_t
     assert one is not None and several is not None and len(several.rows) > 1
     (no_table, sentence), *others = (as_moved(solution, lang) for solution in solutions)
     assert said in sentence and no_table is None
-    assert [(table and table.rows, words) for table, words in others] == [(several.rows, ""), (None, "")]
+    (table, common), nothing = others
+    assert nothing == (None, "") and table is not None and said in common
+    assert set(table.header) < set(several.header), "what all have in common is no column"
+    shared = [cells for cells in zip(*table.rows, strict=True) if len(set(cells)) == 1]
+    assert all("." in cells[0] for cells in shared)
     numbers = [number for cell in one.rows[0][1:] for number in re.findall(r"\d+\.\d+", cell)]
     assert numbers and all(number in sentence for number in numbers)

@@ -18,7 +18,7 @@ TENTH = 0.1  # mm: what a rule is read to
 _HALF = TENTH / 2
 SHARE, SHARE_OF_READ = 0.3, 0.1  # of the expected error: what is smaller says nothing; of a length that was read well
 MOST = 4  # significant digits of an answer; an exact value has one more
-_READ = 3  # significant digits of what is read on paper, at least; one more after a leading 1
+READ = 3  # significant digits of what is read on paper, at least; one more after a leading 1
 LEAST = 1e-4  # smaller numbers are told by powers of ten
 _GRID = 1e-6  # of a tenth: a reading that lies on one
 _SAME = 1e-9  # share by which a number read to a tenth may differ from itself
@@ -72,13 +72,13 @@ def decimals(answer: Answer) -> int | None:
         return places
     drawn = printed_unit(answer.reading.unit)[0] * answer.drawn
     if is_hopeless(answer):
-        return min(places, _places_for(drawn, 1))
-    return min(places, max(places_of(error), _places_for(drawn, _READ + leads_with_1(drawn)), _beside(answer, drawn)))
+        return min(places, places_for(drawn, 1))
+    return min(places, max(places_of(error), places_for(drawn, READ + leads_with_1(drawn)), _beside(answer, drawn)))
 
 
 def _beside(answer: Answer, drawn: float) -> int:
     """The decimals of others beside it, as far as its reading has so many figures."""
-    return min(answer.least, _places_for(drawn, figures_read(drawn, answer.reading.mm or 0.0)))
+    return min(answer.least, places_for(drawn, figures_read(drawn, answer.reading.mm or 0.0)))
 
 
 def _whole_figures(places: int | None, value: float, angle: bool) -> int | None:
@@ -86,7 +86,7 @@ def _whole_figures(places: int | None, value: float, angle: bool) -> int | None:
     if not isfinite(value) or abs(value) < LEAST:
         return places
     own = decimals_of(number(value, MOST)) if places is None else places
-    return max(own, 1 if angle else _places_for(value, _READ))
+    return max(own, 1 if angle else places_for(value, READ))
 
 
 def _places(answer: Answer) -> int | None:
@@ -102,9 +102,9 @@ def _places(answer: Answer) -> int | None:
         return None
     places, drawn = (_places_read if step == read else places_of)(step), factor * answer.drawn
     most = MOST if answer.computed or answer.reading.unit == "deg" else figures_read(drawn, answer.reading.mm or 0.0)
-    places = min(places, _places_for(drawn, most))
+    places = min(places, places_for(drawn, most))
     if answer.reading.mm is None or answer.computed:
-        least = 1 if answer.reading.unit == "deg" else min(places, places_of(error))
+        least = 1 if answer.reading.unit == "deg" else max(min(places, places_of(error)), answer.least)
         finest = max(places, least)
         return next((n for n in range(0 if answer.computed else least, finest) if _is_on(drawn, n)), finest)
     return places
@@ -113,7 +113,7 @@ def _places(answer: Answer) -> int | None:
 def places_as_read(value: float, mm: float) -> int:
     """Decimals of a value that is so many millimetres on paper, times a scale: it has their figures; one more where it
     lies midway, 16.7 × 0.015 = 0.2505, for that is no matter of rounding."""
-    finest, fit = _places_read(TENTH * abs(value / mm)), _places_for(value, figures_read(value, mm))
+    finest, fit = _places_read(TENTH * abs(value / mm)), places_for(value, figures_read(value, mm))
     places = min(finest, fit)
     midway = places < finest and _is_on(2 * value * 10.0**places, 0) and not _is_on(value, places)
     return places + midway
@@ -121,7 +121,7 @@ def places_as_read(value: float, mm: float) -> int:
 
 def figures_read(value: float, mm: float) -> int:
     """As many as the reading has to a tenth, three at least; one more where the value begins with 1."""
-    return min(MOST, max(_READ, floor(log10(abs(mm))) + 2 if mm else _READ) + leads_with_1(value))
+    return min(MOST, max(READ, floor(log10(abs(mm))) + 2 if mm else READ) + leads_with_1(value))
 
 
 def leads_with_1(value: float) -> bool:
@@ -129,7 +129,7 @@ def leads_with_1(value: float) -> bool:
     return f"{abs(value):e}"[0] == "1"
 
 
-def _places_for(value: float, figures: int) -> int:
+def places_for(value: float, figures: int) -> int:
     """The decimals with which a number has so many figures."""
     return max(0, figures - 1 - floor(log10(abs(value)))) if value else _FINEST
 

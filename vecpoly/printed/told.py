@@ -79,7 +79,7 @@ class Told:
             return
         size = _size(line, needed.get(symbol))
         read = _to_scale(line, size)
-        text = read or shown.lstrip("−")
+        text = read or _with_zeros(line, shown.lstrip("−"))
         wanted, finer = needed.get(symbol, (size, text))
         if isclose(wanted, size, rel_tol=1e-9) and _figures(text) < _figures(finer) <= _FINEST:
             text = finer
@@ -195,6 +195,14 @@ def _to_scale(line: Row, size: float) -> str:
     scale, mm = scale_of(line) if is_length(line) else None, only_length(line)
     length = size / scale if scale else mm or 0.0
     return rounded(size, places_as_read(size, length), MOST) if length and size else ""
+
+
+def _with_zeros(line: Row, text: str) -> str:
+    """A result that has a unit with three figures, 10 × 0.03 = 0.300 m/s, beside those that are read."""
+    worked_out = line.worked is not None and isinstance(line.items[-1], Txt) and " " in line.items[-1].text.strip(" =")
+    if not worked_out or "×" in text or not float(text) or _figures(text) >= _FEW:
+        return text
+    return significant(float(text), _FEW)
 
 
 def _figures(text: str) -> int:

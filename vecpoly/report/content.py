@@ -67,7 +67,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "id": problem.id,
         "label": label(problem.id).of(lang),
         "title": problem.title.of(lang),
-        "source": printed_source(problem.source, lang),
+        "source": printed_source(problem.source, lang, label(problem.id)),
         "statement": problem.statement.of(lang),
         "given": comma.join(given),
         "asked": asked(solution, lang),

@@ -9,7 +9,7 @@ from typing import Any
 
 from jinja2 import TemplateNotFound
 
-from ..board.construction import Construction
+from ..board.construction import Construction, Figure
 from ..check.printed.answers import check_problem
 from ..designs.base import Design
 from ..drawing.sheets.sheet import hung
@@ -19,20 +19,22 @@ from ..foundation.data import data_dir
 from ..foundation.files import write_whole
 from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
+from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.checks import check_tables, check_words, unlisted
 from .answers.moved import moved_verdict
 from .answers.verdict import verdict_of
 from .content import Objects, beside_tables, by_rank, cautions, conclusions
-from .flow.blocks import Callout
+from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
+from .flow.results.halved import even
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .identity import identity
 from .lines import lines_table
-from .picture import diagram, to_scale
+from .picture import diagram, magnified, to_scale
 from .plates.bound import bound, pages, with_plates
 from .plates.sketch import LETTERED, sketch_of
 from .printed_tables import printed_tables
@@ -52,6 +54,7 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
 }
 _SOLVED = Words("解答（solve 的结果）", "a solution, as solve gives it,")
 STYLES = ("solution", "question", "course")
+WIDEST = 160.0  # mm: of a sketch that is drawn larger, to fill its page
 PICTURE = (125.0 / LETTERED, 62.0 / LETTERED)  # mm: room for the mechanism beside the statement
 ALONE = (140.0 / LETTERED, 85.0 / LETTERED)  # mm: where no sheet follows, on which it would be larger
 
@@ -171,6 +174,14 @@ def _title(solutions: Sequence[Solution]) -> Words:
     return Words(f"{name.zh}　{problem.title.zh}", f"{name.en}: {problem.title.en}") if name.zh else problem.title
 
 
+def _sketch(figure: Figure, solution: Solution, lang: Lang) -> Drawing:
+    """The picture beside the statement, which may be drawn larger on a page that ends early."""
+    drawn = sketch_of(figure, solution, lang, sketch=True)
+    widest = WIDEST * MM / drawn.size[0]
+    drawn.ampler = lambda times: _sketch(magnified(figure, min(times, widest)), solution, lang)
+    return drawn
+
+
 def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> dict[str, Any]:
     """All that a template may say of one problem."""
     if style == "course":
@@ -182,8 +193,8 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     common = {
         **beside_tables(solution, lang),
         "repeats": REPEATS,
-        "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
-        "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
+        "data": [objects.add("tab", even(one)) for one in given_tables(solution.problem, lang)],
+        "picture": objects.add("pic", _sketch(drawn, solution, lang)) if drawn else "",
     }
     if style == "question":
         blank, places = frames(solution.construction, solution.problem)
@@ -201,24 +212,24 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     names, homes = ([], []) if blocks or _repeats(solution.construction) else pages(solution, lang, objects)
     return {
         "moved": moved,
-        "verified": objects.add("tab", verified) if verified else "",
+        "verified": objects.add("tab", even(verified)) if verified else "",
         "beside": "beside" if beside_exact(solution) else "",
         "heads": heads_told(verified, lang),
-        "lines": objects.add("tab", lines) if lines else "",
+        "lines": objects.add("tab", even(lines)) if lines else "",
         "tables": printed_tables(
             solution.problem,
             lang,
-            lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang)),
+            lambda _, header, rows, align: objects.add("tab", even(DataTable(header, rows, None, align, lang=lang))),
         ),
         "sections": with_plates(sections(solution, lang, objects), names, homes, objects),
-        "results": [objects.add("tab", made) for made in check_tables(solution, lang)],
+        "results": [objects.add("tab", even(made)) for made in check_tables(solution, lang)],
         "alone": check_words(solution, lang),
         "verdict": verdict_of(solution, lang),
         "unlisted": unlisted(solution),
         "counts": by_rank(solution, lang),
         "directed": answer.directed,
         "design": isinstance(solution.problem.subject, Design),
-        "printed": objects.add("tab", printed) if printed is not None else "",
+        "printed": objects.add("tab", even(printed)) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
         "concluded": concluded(checked, lang),
         "missed": moved_verdict(solution, lang),

@@ -95,13 +95,14 @@ def diagram(construction: Construction) -> Figure | None:
 
 def reduced(figure: Figure, marks: Sequence[Mark], width: float, height: float) -> Figure:
     """These marks of a figure, reduced so that they fit width × height mm; symbols keep their size."""
-    factor = _factor(marks, width, height)
-    return replace(
-        figure,
-        title=SKETCH if not figure.name else figure.title,
-        marks=tuple(scaled(m, factor) for m in marks),
-        scale=replace(figure.scale, value=figure.scale.value / factor),
-    )
+    title = SKETCH if not figure.name else figure.title
+    return magnified(replace(figure, title=title, marks=tuple(marks)), _factor(marks, width, height))
+
+
+def magnified(figure: Figure, factor: float) -> Figure:
+    """The figure so many times as large; symbols keep their size."""
+    marks = tuple(scaled(mark, factor) for mark in figure.marks)
+    return replace(figure, marks=marks, scale=replace(figure.scale, value=figure.scale.value / factor))
 
 
 def _factor(marks: Sequence[Mark], width: float, height: float) -> float:

@@ -28,7 +28,7 @@ _PRINTED = {
     "zh": ("所求量", "原书", "精确值", "偏差 /%", "结论"),
     "en": ("Quantity", "Textbook", "Exact", "Deviation /%", "Verdict"),
 }
-_OFF, _OFF_ANGLE = 3, Words("偏差 /°", "Deviation /°")  # column; the head of that of angles
+_OFF, _OFF_EITHER = 3, Words("偏差", "Deviation")  # column; its head where there are angles, too
 _NUMBER_UNIT = re.compile(r"([+−-]?\d+(?:\.\d+)?) ?([^\d\s.(（]\S*)")
 _UNIT = Words("单位", "Unit")
 _NUMBER, _EXACT = re.compile(r"\d+(?:\.\d+)?"), 4  # figures of an exact value beside a printed one, at least
@@ -104,10 +104,7 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
         return None
     header, rows, align = [*_PRINTED[lang]], [_printed_row(c, lang) for c in told], "ldddl"
     if any(is_angle(c.printed) for c in told):
-        rows = [_in_degrees(row, c) for row, c in zip(rows, told, strict=True)]
-        header, align = [*header[: _OFF + 1], _OFF_ANGLE.of(lang), *header[_OFF + 1 :]], "lddddl"
-        if all(row[_OFF] == _NONE for row in rows):  # of angles alone
-            header, rows, align = [*_without(_OFF, header)], [_without(_OFF, row) for row in rows], "ldddl"
+        header[_OFF], rows = _OFF_EITHER.of(lang), [_in_its_unit(row, c) for row, c in zip(rows, told, strict=True)]
     if len(told) > 1 and all(c.verdict is Verdict.REPRODUCED and c.slip is None for c in told):
         header, rows, align = header[:-1], [row[:-1] for row in rows], align[:-1]  # a sentence says that all agree
     heads, cells = united(header, rows)
@@ -117,17 +114,13 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable | None:
     return DataTable([heads[0], _UNIT.of(lang), *heads[1:]], apart, None, f"lc{align[1:]}", lang=lang)
 
 
-def _in_degrees(row: tuple[str, ...], c: Checked) -> tuple[str, ...]:
-    """The row with a column more: of an angle its deviation stands there, in degrees."""
+def _in_its_unit(row: tuple[str, ...], c: Checked) -> tuple[str, ...]:
+    """The row with the unit of its deviation beside it: of an angle degrees, else per cent."""
     before, off, behind = row[:_OFF], row[_OFF], row[_OFF + 1 :]
     if not is_angle(c.printed):
-        return (*before, off, _NONE, *behind)
+        return (*before, off if off == _NONE else f"{off} %", *behind)
     told = percent(c.deviation * c.exact / 100, 1 if c.printed.kind == "graphical" else 2).removesuffix(" %")
-    return (*before, _NONE, told, *behind)
-
-
-def _without(column: int, cells: Sequence[str]) -> tuple[str, ...]:
-    return tuple(cell for n, cell in enumerate(cells) if n != column)
+    return (*before, f"{told}°", *behind)
 
 
 def agreed(c: Checked) -> bool:
@@ -176,7 +169,8 @@ def _figures(checked: Checked) -> int:
     """Of the exact value beside a printed one: one more than that has, so that the last can be judged."""
     found = _NUMBER.search(checked.printed.text)
     own = 0 if found is None else len(found[0].replace(".", "").lstrip("0"))
-    return max(_EXACT, own + 1)
+    figures = max(_EXACT, own + 1)
+    return figures + number(checked.exact, figures).endswith("5")  # which way it rounds: 0.822347, not 0.82235
 
 
 def _as_told(checked: Checked) -> str:

@@ -87,6 +87,14 @@ def class_told(rank: float, lang: Lang) -> str:
     return told.of(lang)
 
 
+_CRITERION = re.compile(r"(?:（\$[^$]*[=<>≤≥][^$]*\$）| \(\$[^$]*[=<>≤≥][^$]*\$\))$")
+
+
+def asked_as(symbol: str, key: str, lang: Lang) -> str:
+    """What it is called where it is asked: without the criterion, self-locking (h ≤ ρ), which would tell the way."""
+    return _CRITERION.sub("", called(symbol, key, lang))
+
+
 def called(symbol: str, key: str, lang: Lang) -> str:
     """A symbol as a table's line begins; told apart where one symbol is found in several ways."""
     if key.startswith("self_locking"):

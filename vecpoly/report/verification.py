@@ -31,8 +31,8 @@ _MEANT = {  # heads that do not say all
         "“Length error” is the largest difference of one link's length between the given positions",
     ),
     _CIRCUIT: Words(
-        "“无回路、分支缺陷”指机构不拆开即可依次通过各给定位置",
-        "“No circuit or branch defect”: the linkage passes through all given positions without being taken apart",
+        "“无回路、分支缺陷”指机构不经重新装配即可依次通过各给定位置",
+        "“No circuit or branch defect”: the linkage passes through all given positions without reassembly",
     ),
     MARGIN: Words(
         "“杆长余量”为其余两杆之和减去最短杆与最长杆之和",
@@ -49,11 +49,9 @@ _ORDER, _SWING, _STROKE = Words("次序", "Order"), Words("摆角", "Swing"), Wo
 _BROKEN = Words("不能运动", "does not move")
 _SAID = {  # the same of a single solution, in a sentence
     _ERROR: Words("同一杆在各给定位置的长度最多相差 {}", "the length of a link varies by {} at most"),
-    _CIRCUIT: Words(
-        "机构不拆开即可依次通过各给定位置", "the linkage passes through all given positions without being taken apart"
-    ),
+    _CIRCUIT: Words("机构无回路缺陷和分支缺陷", "the linkage has no circuit or branch defect"),
     _ORDER: Words("位置次序为 {}", "it takes them in the order {}"),
-    _TYPE: Words("机构类型为{}", "its type is {}"),
+    _TYPE: Words("为{}", "it is a {}"),
     _TYPE_OF: Words("$ABCD$ 为{}", "type of $ABCD$: {}"),
     MARGIN: Words(
         "其余两杆之和减去最短杆与最长杆之和为 {}",
@@ -62,6 +60,7 @@ _SAID = {  # the same of a single solution, in a sentence
     _SWING: Words("摆角为 {}", "the swing is {}"),
     _STROKE: Words("行程为 {}", "the stroke is {}"),
 }
+_OF_ALL = Words("各解中，", "In every solution ")
 _TURNS = {_YES: Words("能", "turns"), _NO: Words("不能", "does not turn")}
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _SIZE = re.compile(r"([−\d.]+)(°| mm)(?: \([−\d.]+\2\))?")  # 40.75° (40.74°)
@@ -84,11 +83,18 @@ def verification_table(solution: Solution, lang: Lang) -> DataTable | None:
 
 
 def as_moved(solution: Solution, lang: Lang) -> tuple[DataTable | None, str]:
-    """What the solutions do, as moved: of several a table, of one a sentence."""
-    lines = _lines(solution)
-    if len(lines) != 1:
-        return _table(solution, lines, lang), ""
-    return None, stopped(Words("，", "; ").of(lang).join(one.clause.of(lang) for one in _told(lines)[0]), lang)
+    """What the solutions do, as moved: of several a table, and a sentence of what all have in common; of one this."""
+    lines = _told(_lines(solution))
+    alike = [n for n in range(len(lines[0]) if lines else 0) if len(lines) == 1 or _is_common(lines, n)]
+    said = Words("，", "; ").of(lang).join(lines[0][n].clause.of(lang) for n in alike)
+    apart = [[one for n, one in enumerate(line) if n not in alike] for line in lines]
+    told = stopped(f"{_OF_ALL.of(lang) if len(lines) > 1 else ''}{said}", lang) if said else ""
+    return _table(solution, apart, lang), told
+
+
+def _is_common(lines: list[list[_Item]], n: int) -> bool:
+    """Whether an item is the same of all solutions, and no size."""
+    return len({line[n].cell for line in lines}) == 1 and "." not in lines[0][n].cell.en
 
 
 def _lines(solution: Solution) -> list[list[_Item]]:
@@ -106,12 +112,12 @@ def _lines(solution: Solution) -> list[list[_Item]]:
 
 def _told(lines: list[list[_Item]]) -> list[list[_Item]]:
     """Those that any of the solutions has."""
-    told = [n for n in range(len(lines[0])) if any(line[n].cell != _NONE for line in lines)]
+    told = [n for n in range(len(lines[0]) if lines else 0) if any(line[n].cell != _NONE for line in lines)]
     return [[line[n] for n in told] for line in lines]
 
 
 def _table(solution: Solution, lines: list[list[_Item]], lang: Lang) -> DataTable | None:
-    if not lines:
+    if not any(lines):
         return None
     told = _told(lines)
     header = [_NUMBER.of(lang), *(one.head.of(lang) for one in told[0])]

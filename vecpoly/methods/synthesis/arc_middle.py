@@ -53,6 +53,7 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
             f"$η{primes}$ at $A{primes}$.",
         ),
         SHEET,
+        again=_again(primes, lies),
     )
     far = eta.flat and not crank  # the middle of the greater arc
     m = _middle(draft, limits, eta, upper=(eta.side < 0) == crank, far=far)
@@ -69,6 +70,16 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
     a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words(f"求 $A{primes}$", f"finding $A{primes}$"))
     board.rule(SHEET, line, a)
     yield board.either(a)
+
+
+def _again(primes: str, lies: tuple[str, str]) -> Words:
+    """The same on the other circle."""
+    return Words(
+        f"同样，由圆 $η{primes}$ 上{lies[0]} $A{primes}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$ 得 $S{primes}$，"
+        f"$C_{{2}}S{primes}$ 的延长线与 $η{primes}$ 交于 $A{primes}$。",
+        f"Likewise the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} gives $S{primes}$, and the "
+        f"line $C_{{2}}S{primes}$ meets $η{primes}$ at $A{primes}$.",
+    )
 
 
 def _middle(draft: Draft, limits: tuple[Points, Points], eta: Eta, *, upper: bool, far: bool) -> Points:

@@ -59,7 +59,7 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
         place,
         again=Words(
             f"同样按解 {n} 的长度作出这两个位置，量得最小传动角：",
-            f"Draw these two positions with the lengths of solution {n}, too, and read the transmission angles:",
+            f"Likewise draw these two positions with the lengths of solution {n} and read the transmission angles:",
         ),
     )
     frame = _mm(draft, place, AD)

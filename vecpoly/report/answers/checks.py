@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from ...printed.digits import is_hopeless
+from ...printed.digits import drawn_number, exact_number, is_hopeless
 from ...solution import Answer, Solution
-from ...words import Lang, Words
+from ...words import Lang, Words, joined
 from ..flow.results.halved import HalvedTable
 from ..flow.table import DataTable
 from ..tables import trimmed
 from .alike import named_once
 from .errors import NOTHING, beside
-from .kinds import tables_and_sentences
+from .kinds import parted_by_deviation, table_and_sentences
 from .order import listed
-from .placed import endless_words, place_words, places_table
+from .placed import clean, endless_words, place_words, places_table
 from .tables import counted, filled, lone_place, row_of, tabled, unit_of
 
 _KEPT = (0, 1, 4, 6, 7, 8)  # of the columns of readings: not the length, its scale, its direction
@@ -22,11 +22,12 @@ _ALIGN = "lcdddd"
 
 
 def check_tables(solution: Solution, lang: Lang) -> tuple[DataTable, ...]:
-    """What was read beside the exact values, and how far it is off, in per cent, in degrees, or where it vanishes; none
+    """What was read beside the exact values, and how far it is off, in per cent or in degrees; none
     where all is computed, and exact; a lone place beside other answers, and a lone value of its kind, has a
     sentence."""
     places, others = tabled(checked(solution))
-    found = [_values(kind, solution, lang) for kind in tables_and_sentences(others, len(places) > 1)[0]]
+    shared = table_and_sentences(others, len(places) > 1)[0]
+    found = [_values(shared, solution, lang)] if shared else []
     rows = places if lone_place(checked(solution)) is None else []
     return (*found, *([HalvedTable.of(places_table(rows, solution, lang))] if rows else []))
 
@@ -36,11 +37,38 @@ def check_words(solution: Solution, lang: Lang) -> str:
     every = checked(solution)
     lone, (places, others) = lone_place(every), tabled(every)
     told = (
-        *(_value_words(one, solution, lang) for one in tables_and_sentences(others, len(places) > 1)[1]),
+        *_sentences(table_and_sentences(others, len(places) > 1)[1], solution, lang),
         "" if lone is None else place_words(lone, lang),
         endless_words(every, lang),
     )
     return ("" if lang == "zh" else " ").join(filter(None, told))
+
+
+def _sentences(answers: Sequence[Answer], solution: Solution, lang: Lang) -> Iterator[str]:
+    """Each value in its own; all that vanishes, as it does exactly, in one."""
+    nothing = [
+        one for one in parted_by_deviation(answers)[1] if drawn_number(one) == "0" == exact_number(one, clean(one))
+    ]
+    together = nothing if len(nothing) > 1 else []
+    yield from (_value_words(one, solution, lang) for one in answers if one not in together)
+    if together:
+        yield _vanishing_words(together, solution, lang)
+
+
+def _vanishing_words(answers: Sequence[Answer], solution: Solution, lang: Lang) -> str:
+    """What vanishes by the drawing and exactly, with the errors that were to be expected, each told once."""
+    once = named_once(answers, solution, lang)
+    errors = beside([one for one, _ in once], [NOTHING] * len(once))
+    alike = dict[str, list[str]]()
+    for (_, name), error in zip(once, errors, strict=True):
+        alike.setdefault(error, []).append(name)
+    told = joined(
+        [
+            Words(f"{'、'.join(names)}（预期误差 {error}）", f"{', '.join(names)} (expected error {error})")
+            for error, names in alike.items()
+        ]
+    )
+    return Words(f"{told.zh}量得均为 0，与精确值一致。", f"{told.en} were read as 0, which is exact.").of(lang)
 
 
 def _value_words(answer: Answer, solution: Solution, lang: Lang) -> str:

@@ -1,4 +1,4 @@
-"""Answers in tables of their own, so that a column of deviations has one unit."""
+"""Which answers of the check share its table, and which have a sentence."""
 
 from __future__ import annotations
 
@@ -8,21 +8,17 @@ from ...solution import Answer
 from .errors import NOTHING
 from .tables import sign_of_deviation
 
-_SIGNS = ("", "°", NOTHING)
+
+def parted_by_deviation(answers: Sequence[Answer]) -> tuple[list[Answer], list[Answer]]:
+    """Those that are off by per cents or degrees, and those that have no deviation: exactly they are zero."""
+    off = [one for one in answers if sign_of_deviation(one) != NOTHING]
+    return off, [one for one in answers if sign_of_deviation(one) == NOTHING]
 
 
-def kinds(answers: Sequence[Answer]) -> list[list[Answer]]:
-    """Those off by per cents, those off by degrees, and those that have no deviation: exactly they are zero."""
-    signs = [sign_of_deviation(one) for one in answers]
-    found = [[one for one, own in zip(answers, signs, strict=True) if own == sign] for sign in _SIGNS]
-    return [kind for kind in found if kind]
-
-
-def tables_and_sentences(answers: Sequence[Answer], beside: bool) -> tuple[list[list[Answer]], list[Answer]]:
-    """The kinds that have a table, and what is alone in its kind, which has a sentence; beside: whether another table
-    stands there. Where all are alone they share one table."""
-    found = kinds(answers)
-    several = [kind for kind in found if len(kind) > 1]
-    if several or beside:
-        return several, [kind[0] for kind in found if len(kind) == 1]
-    return ([list(answers)] if answers else []), []
+def table_and_sentences(answers: Sequence[Answer], beside: bool) -> tuple[list[Answer], list[Answer]]:
+    """What shares one table, and what a sentence tells: a value alone beside others, and what vanishes; beside: whether
+    another table stands there."""
+    off, vanishing = parted_by_deviation(answers)
+    if len(off) > 1:
+        return off, vanishing
+    return ([], [*off, *vanishing]) if beside or len(answers) > 1 else ([*answers], [])

@@ -62,7 +62,7 @@ def readings_at(
         values += _at(where, [_with_scale(row_of(one, solution, lang, unit_of(one)), solution) for one in others])
         placed = [(*place_row(one), gap) for one, gap in zip(spots, gaps(spots), strict=True)]
         places += _at(where, placed)
-    tables = ((_without_gaps(values), _HEADS, _ALIGN), (places, PLACES, ALIGN_PLACES))
+    tables = ((_without_gaps(values, _SCALE + 1), _HEADS, _ALIGN), (places, PLACES, ALIGN_PLACES))
     return tuple(
         trimmed(
             [drive, *(head.of(lang) for head in heads[:-1])], rows, (), f"l{align[:-1]}", lang, [row[2] for row in rows]
@@ -72,12 +72,13 @@ def readings_at(
     )
 
 
-def _without_gaps(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    """The rows without lengths on paper where few have one: these stand on the sheets. A place tells each row first."""
-    read = sum(row[_SCALE + 1] != NOTHING for row in rows)
+def _without_gaps(rows: list[tuple[str, ...]], scale: int) -> list[tuple[str, ...]]:
+    """The rows without lengths on paper where few have one: these stand on the sheets. scale: the column behind them,
+    which is another where a place tells each row first."""
+    read = sum(row[scale] != NOTHING for row in rows)
     if 3 * read >= 2 * len(rows):
         return rows
-    return [(*row[:_SCALE], NOTHING, NOTHING, *row[_SCALE + 2 :]) for row in rows]
+    return [(*row[: scale - 1], NOTHING, NOTHING, *row[scale + 1 :]) for row in rows]
 
 
 def _with_scale(row: tuple[str, ...], solution: Solution) -> tuple[str, ...]:
@@ -137,6 +138,8 @@ def _values(every: list[Answer], solution: Solution, lang: Lang) -> DataTable:
     answers = [one for one, _ in once]
     header, rows = filled(answers, solution, lang)
     rows = [(name, *row[1:]) for (_, name), row in zip(once, rows, strict=True)]
+    if not any(one.short for one in answers):  # that a length is too short is told beside it
+        rows = _without_gaps(rows, _SCALE)
     return trimmed(header, rows, (), _ALIGN, lang, [unit_of(one) for one in answers])
 
 

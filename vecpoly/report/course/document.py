@@ -8,7 +8,7 @@ from typing import Any
 from ...findings.study.study import Study, study
 from ...foundation.same import Same
 from ...solution import REPEATS, Solution
-from ...words import Lang, Words
+from ...words import Lang, Words, label
 from ..content import Objects
 from ..picture import picture
 from ..printed_tables import printed_tables
@@ -44,6 +44,7 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     press = Press(lang, objects)
     told = {
         "id": subject.problem.id,
+        "label": label(subject.problem.id).of(lang),
         "assumed": statement.assumed(subject).of(lang),
         "whole": subject.whole.whole,
         "title": subject.problem.title.of(lang),

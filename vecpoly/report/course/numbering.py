@@ -13,6 +13,7 @@ from ...typeset.box import MM
 from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Drawing
+from ..flow.results.halved import even
 from ..flow.style import CAPTION, CELL, Style
 from ..flow.table import DataTable
 from ..heads import united
@@ -92,7 +93,7 @@ class Press:
         header, rows = united([header[i] for i in kept], [tuple(row[i] for i in kept) for row in rows])
         align = "".join(align[i] for i in kept)
         caption = self._caption(_TABLE, "table", title)
-        made = DataTable(header, rows, None, align, lang=self.lang, caption=caption.text, style=style)
+        made = even(DataTable(header, rows, None, align, lang=self.lang, caption=caption.text, style=style))
         made.undivided = _WHITE if len(rows) <= _WHOLE else 0.0
         return self._kept("tab", made, caption)
 

@@ -116,6 +116,7 @@ class Drawing(Block):
     role = Role.FIGURE
     pieces = True
     over = 0.0  # points of white above it, at the top of a page too
+    ampler: Callable[[float], Drawing | None] | None = None  # gives the same sketch so many times as large
 
     def __init__(
         self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = "", *, sketch: bool = False

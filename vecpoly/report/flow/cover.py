@@ -17,7 +17,7 @@ from .style import BODY
 TITLE_FIELDS = ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期")
 _LABEL, _BLANK, _ROW, _LAST = 30.0, 62.0, 9.5, 34.0  # mm; of the last blank from the foot of the page
 _WIDEST, _RULE = 136.0, 140.0  # mm of a title, of the rules about it
-_KIND, _TITLE, _UNDER, _RULES = 35.0, 56.0, 69.0, (44.5, 76.0)  # mm from the head of the page
+_KIND, _TITLE, _ALONE, _UNDER, _RULES = 35.0, 56.0, 63.0, 69.0, (44.5, 76.0)  # mm from the head of the page
 _CLEAR = 8.0  # mm above the uppermost blank
 
 
@@ -40,10 +40,11 @@ class Cover(SheetPage):
     def _page(self, canvas: Any, x: float, y: float) -> None:
         ink, tree, (width, height) = Ink(canvas), tree_of(canvas), canvas._pagesize[:2]
         top = height / MM
+        under = ((self.subtitle, 4.4, top - _UNDER, Role.P),) if self.subtitle else ()
         for text, em, at, role in (
             (self.kind, 6.2, top - _KIND, Role.P),
-            (self.title, 8.6, top - _TITLE, Role.H1),
-            (self.subtitle, 4.4, top - _UNDER, Role.P),
+            (self.title, 8.6, top - (_TITLE if under else _ALONE), Role.H1),
+            *under,
         ):
             ink.under(tree.opener(Tag(role)))
             _centred(ink, text, em, (width / MM / 2, at), bold=text != self.subtitle)

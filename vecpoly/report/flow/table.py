@@ -21,7 +21,7 @@ from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import draw_line
 from .results.banded import LIGHT, Rules
-from .results.columns import longest, shared
+from .results.columns import evened, longest, shared
 from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
 from .text.breaks import Line, break_lines
@@ -59,6 +59,7 @@ class DataTable(Block):
 
     role = Role.TABLE
     pieces = True
+    even = False  # as wide as other tables of its page
 
     def __init__(
         self,
@@ -129,9 +130,8 @@ class DataTable(Block):
             max(*(joined(row[i], em).width for row in rows), *(one.width for one in column or ()), blank[i]) + 2 * PAD
             for i, column in enumerate(points)
         )
-        total = sum(wanted)
-        if total <= width:
-            return tuple(wanted)
+        if sum(wanted) <= width:
+            return evened(wanted, width) if self.even else tuple(wanted)
         bare = self._points([["" if BREAKS in text else text for text in row] for row in self.rows])
         least = [
             max(*(longest(row[i], em) for row in rows), *(one.width for one in column or ())) + 2 * PAD

@@ -20,7 +20,7 @@ from ..flow.furniture import COLUMN
 from ..statement.asked import in_order, of_machines
 from ..statement.further import IF_ANY, further
 from ..statement.meant import meant_by
-from ..values import called
+from ..values import asked_as, called
 from .columns import HEADS, WITH_UNIT, Cells, headed, in_columns
 from .found import as_found
 from .framed.readings import AWAY
@@ -100,12 +100,20 @@ def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
     is asked by its angle stands there."""
     symbol, key = one.reading.symbol.replace(AWAY, ""), one.reading.key
     meant = meant_by(solution.problem.subject, key, f"${symbol}$") if one.reading.unit != YES_NO else None
-    name = _named(one, symbol, solution, lang) if meant is None else meant.of(lang)
-    name += _YES_OR_NO.of(lang) * (one.reading.unit == YES_NO)
+    name = _named(one, symbol, solution, lang) if meant is None else meant.of(lang).removeprefix("the ")
+    if one.reading.unit == YES_NO:
+        name = _either(asked_as(symbol, key, lang), lang)
     paper = "" if _measured(one) else NONE
     way = "" if _points(one) and f"theta_{key.partition('_')[2]}" not in solution.answers else NONE
     unit = NONE if one.is_place else _unit(one.reading.unit)
     return name, paper, _PLACE.of(lang) if one.is_place else "", unit, way
+
+
+def _either(name: str, lang: Lang) -> str:
+    """A name with the answers that it may have, in the brackets that it has already."""
+    if name.endswith(")") and lang == "en":
+        return f"{name[:-1]}; yes or no)"
+    return name + _YES_OR_NO.of(lang)
 
 
 def _unit(unit: str) -> str:

@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from ...board.construction import Figure
 from ...board.paper.marks import AngleMark, Mark, Point, Role, Segment, TurnArrow
 from ...designs.base import Design
+from ...designs.grashof import Grashof
 from ...designs.limits_found import CrankRockerLimits, GuideBarLimits, SliderCrankLimits
+from ...errors import AssemblyError
 from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ...problem.values.made import problem as made
@@ -23,12 +25,18 @@ _BEFORE = 16.0  # mm before the pivot, at which the offset is marked
 
 def whole(problem: Problem, width: float, height: float) -> Figure | None:
     """The sketch of a linkage all of whose lengths are given; None of one that is to be found."""
-    if not isinstance(problem.subject, _GIVEN):
+    subject = problem.subject
+    if isinstance(subject, Grashof):  # a chain of which any link may be the frame: with AD, as its letters say
+        subject = CrankRockerLimits(AB=subject.AB, BC=subject.BC, CD=subject.CD, AD=subject.AD)
+    if not isinstance(subject, _GIVEN):
         return None
-    data = problem.subject.built(_lengths(problem.subject))
+    data = subject.built(_lengths(subject))
     title = {"zh": problem.title.zh, "en": problem.title.en}
     linkage = made({"id": problem.id, "title": title, **data})
-    drawn = picture(linkage, solve(linkage, repeats=0, precise=False).construction, width, height)
+    try:
+        drawn = picture(linkage, solve(linkage, repeats=0, precise=False).construction, width, height)
+    except AssemblyError:  # a chain without a crank need not reach this position
+        return None
     if drawn is None:
         return None
     plain = tuple(mark for mark in drawn.marks if not _moves(mark))

@@ -100,11 +100,39 @@ class Working(Block):
         return sum(_tall(one, width) for one in (*self._head, *self._foot)) + (_GAP if self._foot else 0.0)
 
 
+class Spare(Working):
+    """Squares where no work is needed: what is left of the page below the results, if that is no strip."""
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """All that is left, or what stands at the foot alone."""
+        self.width = width
+        self.height = height - 0.01 if height >= LEAST_ROOM + self._other(width) else self._footed(width)
+        return width, self.height
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """Where the page has no room for the foot."""
+        return [*self._foot]
+
+    def draw(self) -> None:
+        """The foot first, then the squares that are left."""
+        spare, top = self.height > self._footed(self.width) + 0.02, self.height
+        for one in (*self._foot, *(self._head if spare else ())):
+            top -= _tall(one, self.width)
+            one.drawOn(self.canv, 0.0, top + one.getSpaceAfter())
+        if spare:
+            squares = Squares(top)
+            squares.wrapOn(self.canv, self.width, top)
+            squares.drawOn(self.canv, 0.0, 0.0)
+
+    def _footed(self, width: float) -> float:
+        return sum(_tall(one, width) for one in self._foot)
+
+
 def working(title: str, need: float, foot: Sequence[Block], lang: Lang) -> list[Block]:
     """Squares (need: in mm) with this at their foot; after them, where it would leave no room on a page; it alone where
     none are needed."""
     if not need and foot:
-        return [*foot]
+        return [Spare(title, 0.0, foot, lang)]
     need *= MM
     if sum(_tall(one, COLUMN) for one in foot) <= _TALLEST:
         return [Working(title, need, foot, lang)]

@@ -16,7 +16,7 @@ from ...problem.asked.checks import is_check
 from ...problem.problem import Problem
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words, bare
-from ..values import asked_load, called, curved, way_of
+from ..values import asked_as, asked_load, called, curved, way_of
 from .further import THE_SAME, further
 from .groups import Group, by_groups, parted
 from .meant import meant_by, plural
@@ -156,7 +156,7 @@ def _told(ask: Ask, solution: Solution, lang: Lang) -> str:
         of = curved(ask.rel, lang) + symbol.replace("^{∞}", "")
         return Words(f"{of} 的位置", f"the position of {of}").of(lang)
     if reading.unit == YES_NO:
-        name = called(reading.symbol, reading.key, lang)
+        name = asked_as(reading.symbol, reading.key, lang)
         return Words(name if "是否" in name else f"是否{name}", f"whether {name}").of(lang)
     if (kind := asked_load(solution.problem, reading.key)) is not None:
         return _load_told(kind, reading.key, symbol, solution).of(lang)

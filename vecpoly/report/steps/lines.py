@@ -3,6 +3,7 @@ stands in the box of answers with no way to it, a place or a zero of which the s
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
@@ -16,13 +17,16 @@ from ..answers.notes import stands_still
 _COLONS = ("：", ":")
 _MOST = 4  # lines in a sentence
 _UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
+_WORKED, _NOTHING = 6, " = 0 "  # parts of a line symbol = formula = numbers = result; how one ends that vanishes
+_ZERO = re.compile(r"(?<![\d.])0(?![\d.])")
+_EQUAL, _INDEX = 3, re.compile(r"_\w+")  # lines that are told together; what differs in them
 _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
 
 def displayed(step: Step, solution: Solution) -> tuple[Node, ...]:
     """The lines of a step that are set as formulas; each ends with the number that is gone on with."""
     left = _left(step, solution)
-    return () if _in_sentence(step, left) else tuple(map(_once, left))
+    return () if _in_sentence(step, left) else tuple(_vanishing(_once(line)) for line in left)
 
 
 def chained(lines: Sequence[Node]) -> Iterator[Node]:
@@ -36,6 +40,28 @@ def chained(lines: Sequence[Node]) -> Iterator[Node]:
         symbols = {plain(one): one for line in run if isinstance(line, Row) for one in (line.items[2], line.items[0])}
         linked = [item for one in symbols.values() for item in (one, Txt(EQUALS))]
         yield Row((*linked[:-1], Txt(end)))
+
+
+def together(lines: Sequence[Node]) -> Iterator[Node]:
+    """Lines in a row that reckon the same of equal bodies, three or more, as one: W_1 = W_2 = W_3 = m_1 r_1 = ..."""
+    for way, some in groupby(lines, key=_reckoned):
+        run = list(some)
+        if way is None or len(run) < _EQUAL:
+            yield from run
+            continue
+        first = run[0]
+        assert isinstance(first, Row)
+        others = [item for line in run[1:] if isinstance(line, Row) for item in (Txt(EQUALS), line.items[0])]
+        yield Row((first.items[0], *others, *first.items[1:]))
+
+
+def _reckoned(line: Node) -> tuple[str, str, str] | None:
+    """The form of symbol = formula = numbers = result without its indices, its numbers and its result; None of another
+    line."""
+    if not isinstance(line, Row) or len(line.items) != _WORKED:
+        return None
+    form = "=".join(_INDEX.sub("", plain(line.items[n])) for n in (0, 2))
+    return form, plain(line.items[-2]), plain(line.items[-1])
 
 
 def _end_of_chain(line: Node) -> str | None:
@@ -54,6 +80,13 @@ def _once(line: Node) -> Node:
     exact, rounded = line.items[-1].text.split(ABOUT)
     same = NUMBER.sub("", exact, count=1).strip(EQUALS) == NUMBER.sub("", rounded, count=1).strip()
     return Row((*line.items[:-1], Txt(exact))) if same else line
+
+
+def _vanishing(line: Node) -> Node:
+    """F = W ω² = 0 N of F = W ω² = 0 × 377² = 0 N: a factor that vanishes needs no numbers."""
+    if not isinstance(line, Row) or len(line.items) < _WORKED or not plain(line.items[-1]).startswith(_NOTHING):
+        return line
+    return Row((*line.items[:-3], line.items[-1])) if _ZERO.search(plain(line.items[-2])) else line
 
 
 def _left(step: Step, solution: Solution) -> tuple[Node, ...]:

@@ -33,6 +33,7 @@ from .line_of_action import draw_line_of_action
 from .mesh import Mesh
 
 HALF = 8.0  # mm of the line of R^t to either side of the planet's pin
+_FLANK = "其指向由力矩确定；齿面间只能受压，由此确定工作齿面"  # of which the first step tells
 _SOURCE = "机械原理, forces in epicyclic gear trains: equilibrium of arm, planet and central gears"
 
 
@@ -73,7 +74,8 @@ def _teeth(st: Statics, one: Carried, across: Reaction, pair: tuple[Mesh, Mesh])
     mesh, other = pair
     h, k = (st.desk.at[each.teeth.point] for each in pair)
     named = st.named(mesh.by, one.planet)
-    st.board.step(_told(st, one, pair), group_pane(st, *one.links))
+    before = any(_FLANK in step.words.zh for step in st.board.steps)
+    st.board.step((_told_again if before else _told)(st, one, pair), group_pane(st, *one.links))
     turning = _known(st, one, across, other.teeth.point, k)
     if not turning.way:
         st.board.remark(Words(f"故 ${named.symbol}$ = 0。", f" so ${named.symbol}$ = 0."))
@@ -125,11 +127,22 @@ def _told(st: Statics, one: Carried, pair: tuple[Mesh, Mesh]) -> Words:
     return Words(
         f"构件 {i}、{number} 的轮齿在节点 ${h}$ 啮合，不计齿面摩擦，${symbol}$ 沿啮合线，与节圆公切线成压力角 "
         f"$α$ = {alpha}；${rest}$ 过节点 ${k}$，${held}$ 沿 ${bar}$ 的分力也过 ${k}$，故由构件 {number} 的 "
-        f"$ΣM_{k}$ = 0 求 ${symbol}$（其指向由力矩确定；齿面间只能受压，由此确定工作齿面）：",
+        f"$ΣM_{k}$ = 0 求 ${symbol}$（{_FLANK}）：",
         f"The teeth of links {i} and {number} mesh at the pitch point ${h}$; without friction on the flanks "
         f"${symbol}$ acts along the line of action, at the pressure angle $α$ = {alpha} to the common tangent. The "
         f"reaction ${rest}$ passes through ${k}$, and so does the part of ${held}$ along ${bar}$: $ΣM_{k}$ = 0 of "
         f"link {number} gives ${symbol}$ and its sense; teeth can only press, which determines the flank:",
+    )
+
+
+def _told_again(st: Statics, one: Carried, pair: tuple[Mesh, Mesh]) -> Words:
+    """The same of other teeth, whose line of action and flank are found likewise."""
+    k, number = pair[1].teeth.point, st.mech.number(one.planet)
+    symbol = st.named(pair[0].by, one.planet).symbol
+    return Words(
+        f"同样，${symbol}$ 沿节点 ${pair[0].teeth.point}$ 处的啮合线，由构件 {number} 的 $ΣM_{k}$ = 0 求 ${symbol}$：",
+        f"Likewise ${symbol}$ acts along the line of action at ${pair[0].teeth.point}$; $ΣM_{k}$ = 0 of link "
+        f"{number} gives ${symbol}$:",
     )
 
 

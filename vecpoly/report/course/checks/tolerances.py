@@ -3,10 +3,12 @@ each a little larger than given, and how far it may go."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from math import degrees
 from typing import Any
 
+from ....algebra.columns import significant
 from ....algebra.quantity import number
 from ....findings.given_lengths import Dimension
 from ....findings.study.study import Study
@@ -19,6 +21,7 @@ _SLIGHT = 0.01  # of the largest value: a change that needs no care
 _NAMED = 3  # dimensions in a sentence
 _FITTED = Words("由其他尺寸确定", "fixed by the others")
 _SHOWN = 0.001  # per cent: less is told to be less
+_SIZE, _FEW = re.compile(r"([\d.]+)(.*)"), 2  # a number and its unit; figures of one in a sentence
 
 
 def section(study: Study, press: Press) -> dict[str, Any]:
@@ -169,8 +172,8 @@ def _weighed(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Wo
     symbol, top = study.turn.info(keys[-1]).symbol, ranked[0].gaps[-1]
     great = [one for one in ranked if one.gaps[-1] >= _LED * top]
     small = [one for one in reversed(ranked) if one.gaps[-1] < _LED * top]
-    told = [[_named(study, keys, one) for one in some[:_NAMED]] for some in (great, small, ranked[-1:])]
-    zh, en = [["、".join(w.zh for w in some) for some in told], [", ".join(w.en for w in some) for some in told]]
+    told = [_listed(study, keys, some[:_NAMED]) for some in (great, small, ranked[-1:])]
+    zh, en = [words.zh for words in told], [words.en for words in told]
     if top < _SLIGHT * largest(study, keys[-1]):
         by = _either(ranked, Words("0.1 mm", "0.1 mm"), Words("（0.1°）", " (0.1°)"))
         return Words(
@@ -193,6 +196,23 @@ def _weighed(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Wo
     )
 
 
-def _named(study: Study, keys: tuple[str, ...], one: Influence) -> Words:
-    share = _changed(study, keys[-1], one.gaps[-1])
-    return one.dimension.name + Words(f"（{share}）", f" ({share})")
+def _listed(study: Study, keys: tuple[str, ...], some: Iterable[Influence]) -> Words:
+    """Each with its effect to two figures; those of one effect together, for none of them has the greater."""
+    alike = dict[str, list[Words]]()
+    for one in some:
+        alike.setdefault(_rounded(study, keys[-1], one.gaps[-1]), []).append(one.dimension.name)
+    told = [
+        Words(
+            f"{'、'.join(w.zh for w in names)}（{'均为 ' if len(names) > 1 else ''}{share}）",
+            f"{' and '.join(w.en for w in names)} ({share}{' each' if len(names) > 1 else ''})",
+        )
+        for share, names in alike.items()
+    ]
+    return Words("、".join(w.zh for w in told), ", ".join(w.en for w in told))
+
+
+def _rounded(study: Study, key: str, gap: float) -> str:
+    """As in the table, to two figures."""
+    text = _changed(study, key, gap)
+    found = _SIZE.fullmatch(text)
+    return text if found is None or not float(found[1]) else f"{significant(float(found[1]), _FEW)}{found[2]}"

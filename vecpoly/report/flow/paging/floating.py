@@ -32,6 +32,11 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
     parted: int  # steps that a page break parts
 
     @property
+    def column(self) -> float:
+        """The height of the text of a page, in points."""
+        return float(next(template.frames[0] for template in self.pageTemplates if template.id == "text")._aH)
+
+    @property
     def widows(self) -> list[int]:
         """The pages behind the first that a box opens."""
         return [page for page, head in self.heads.items() if isinstance(head, Callout) and page > 1]
@@ -97,8 +102,7 @@ class Floating(BaseDocTemplate):  # type: ignore[misc]
 
     def justify(self) -> None:
         """Open the white of the pages that were counted as far as their feet."""
-        frame = next(template.frames[0] for template in self.pageTemplates if template.id == "text")
-        self.stretched = stretches(self.filled, self.white, frame._aH)
+        self.stretched = stretches(self.filled, self.white, self.column)
 
     def handle_pageEnd(self) -> None:
         """After a page of text, the sheets that stand behind it."""

@@ -18,6 +18,7 @@ from ..base import Tightness
 from ..blocks import Divider, SheetPage
 from ..contents import Contents
 from ..doc import LEFTOVER, Metadata, ReportDoc
+from .ample import ample
 from .balanced import balanced
 from .loose import loosened
 from .running import run_on, split
@@ -59,7 +60,7 @@ def settled(story: Sequence[Any], meta: Metadata) -> ReportDoc:
         story = _set(story, chosen)
         plain = ReportDoc(story, meta)
         plain.counted()
-    return balanced(loosened(*_mended(*sectioned(*run_on(story, plain)))), given)
+    return ample(balanced(loosened(*_mended(*sectioned(*run_on(story, plain)))), given))
 
 
 def _fronted(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:

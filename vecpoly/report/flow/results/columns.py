@@ -7,6 +7,15 @@ from collections.abc import Sequence
 from ..cells import Cell
 from ..text.balanced import spaces
 
+_NARROW = 2 / 3  # of the column of text: how wide a table is at least
+
+
+def evened(wanted: Sequence[float], width: float) -> tuple[float, ...]:
+    """Columns of a table that has two thirds of the width, or all of it, so that tables of one page are alike."""
+    total = sum(wanted)
+    more = (width * _NARROW if total <= width * _NARROW else width) - total
+    return tuple(one + more / len(wanted) for one in wanted)
+
 
 def shared(wanted: Sequence[float], least: Sequence[float], width: float) -> tuple[float, ...]:
     """Narrow columns keep the width they want, the wide ones share what is left; none is narrower than its least,

@@ -110,6 +110,12 @@ class HalvedTable(DataTable):
         return tuple(found)
 
 
+def even(table: DataTable) -> DataTable:
+    """The table, set as wide as others of its page; two halves take what they need."""
+    table.even = not isinstance(table, HalvedTable) or len(table.rows) <= LONG
+    return table
+
+
 def _fit(widths: tuple[float, ...], width: float) -> bool:
     """Whether columns so wide (mm) have room twice in that (pt)."""
     return 2 * sum(widths) + _GAP <= width / MM

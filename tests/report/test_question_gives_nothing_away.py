@@ -1,0 +1,64 @@
+"""A question sheet tells no criterion and no step of its answer, and leaves no white that could be worked on."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from tests.studies import solved
+from vecpoly.board.paper.marks import Point
+from vecpoly.problem.values.made import problem
+from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.sketch import sketched
+from vecpoly.report.question.working import LEAST_ROOM, Spare, working
+from vecpoly.report.statement.asked import asked
+from vecpoly.solution import YES_NO, solve
+from vecpoly.typeset.box import MM
+from vecpoly.words import Lang
+
+COLUMN = 170.0 * MM
+CRITERION = re.compile(r"[（(]\$[^$]*[<>≤≥=][^$]*\$[)）]")
+
+
+@each(IDS)
+def test_what_is_answered_by_yes_or_no_is_asked_without_its_criterion(name: str) -> None:
+    solution = drawn(name).solution
+    if not any(one.reading.unit == YES_NO for one in solution.answers.values()):
+        return
+    langs: tuple[Lang, ...] = ("zh", "en")
+    for lang in langs:
+        cells = [
+            cell for row in empty_table(solution, lang).rows for cell in row if "是/否" in cell or "yes or" in cell
+        ]
+        assert cells and not [cell for cell in cells if CRITERION.search(cell) or ") (" in cell]
+        assert not CRITERION.search(asked(solution, lang))
+
+
+def test_a_chain_that_is_judged_by_its_lengths_is_sketched_as_one() -> None:
+    """Its lengths laid off one behind the other would tell which are added up."""
+    one = solved("8-1")
+    figure = sketched(one.problem, one.construction, 120.0, 70.0)
+    assert figure is not None
+    assert {"A", "B", "C", "D"} <= {mark.label for mark in figure.marks if isinstance(mark, Point)}
+
+
+def test_a_chain_that_does_not_reach_the_position_of_the_sketch_has_none_of_it() -> None:
+    data = {"AB": "100 mm", "BC": "300 mm", "CD": "150 mm", "AD": "110 mm"}
+    told = {"id": "g", "title": {"zh": "甲", "en": "a"}, "synthesis": "grashof", "data": data, "find": ["ends"]}
+    one = solve(problem(told))
+    figure = sketched(one.problem, one.construction, 120.0, 70.0)
+    assert figure is None or "D" not in {mark.label for mark in figure.marks if isinstance(mark, Point)}
+
+
+@pytest.mark.parametrize("room", [60.0, 100.0])
+def test_what_the_page_leaves_below_the_results_is_squared_if_it_is_no_strip(room: float) -> None:
+    foot = [empty_table(solved("8-2e"), "en")]
+    (block,) = working("Working", 0.0, foot, "en")
+    assert isinstance(block, Spare)
+    alone = block.wrap(COLUMN, 0.0)[1]
+    height = block.wrap(COLUMN, alone + room * MM)[1]
+    assert (height > alone + 1.0) == (room * MM >= LEAST_ROOM + block._other(COLUMN) - alone)
+    assert alone <= height <= alone + room * MM and block.split(COLUMN, alone / 2) == foot
