@@ -79,7 +79,7 @@ def tones(figures: Iterable[tuple[Mark, ...]], equations: Iterable[tuple[str, ..
         if free := [tone for tone in range(1, MANY + 1) if tone not in taken]:
             kin, alike, acting, used = (_used(found, one, test) for test in (_of_a_point, _of_a_kind, _of_a_sort, _any))
             close = _close(taken)
-            found[one] = min(free, key=lambda t: (t > HUES, -kin[t], alike[t], _hue(t) in close, acting[t], used[t], t))
+            found[one] = min(free, key=lambda t: (t > HUES, -kin[t], alike[t], acting[t], used[t], _hue(t) in close, t))
     return FrozenMap(found)
 
 
