@@ -16,7 +16,7 @@ from .entry import WIDE, Entry
 
 _RESTING = (
     (View.VELOCITY, "", Words("速度瞬心（速度为零）", "instant centre, at rest")),
-    (View.ACCELERATION, "^′", Words("加速度瞬心（加速度为零）", "no acceleration here")),
+    (View.ACCELERATION, "^′", Words("加速度瞬心（加速度为零）", "acceleration pole")),
 )
 _OF_LINK = re.compile(r"[A-Z]_\{?\d+\}?")  # M_2: a point of link 2
 _NEAR = 1e-6  # mm
@@ -184,7 +184,7 @@ LETTERS: tuple[Letter, ...] = (
     Letter(is_of_cam, r"r_\{(\d+)\}", Words("$φ$ = {}° 处的向径", "radius at $φ$ = {}°")),
     Letter(_of_flat_face, r"P_[12]", Words("推程、回程中离 $O$ 最远的瞬心", "farthest instant centre, rise, return")),
     Letter(_of_flat_arm, r"T_[12]", Words("离垂足最近、最远的切点", "nearest, farthest contact")),
-    Letter(_of_flat_arm, r"A_[12]\^′", Words("相应的摆轴位置", "pivot where that is")),
+    Letter(_of_flat_arm, r"A_[12]\^′", Words("相应的摆轴位置", "pivot in that position")),
     Letter(is_of_cam, r"C_0", Words("起始导路的垂足", "foot of the first guide")),
     Letter(is_of_cam, r"B_0", Words("推程起始点", "start of the rise")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"P", Words("相对瞬心", "relative instant centre")),
