@@ -171,6 +171,32 @@ def test_every_tone_can_be_read_and_told_from_the_others_by_eyes_that_confuse_hu
         assert min(float(np.linalg.norm(a - b)) for a, b in combinations(seen, 2)) > 20
 
 
+def test_no_two_hues_look_alike() -> None:
+    """CIEDE2000 at least 18: of the purple, the plum and the dark blue that stood side by side it was 14."""
+    seen = [_lab(rgb) for rgb in np.array([_linear(hue.value) for hue in TONES])]
+    assert min(_unlike(a, b) for a, b in combinations(seen, 2)) > 18
+
+
+def _unlike(one: np.ndarray, other: np.ndarray) -> float:
+    """CIEDE2000 (Sharma, Wu, Dalal 2005)."""
+    labs = np.array([one, other])
+    seventh = np.hypot(*labs[:, 1:].T).mean() ** 7
+    a, b = labs[:, 1] * (1.5 - 0.5 * np.sqrt(seventh / (seventh + 25.0**7))), labs[:, 2]
+    chroma, angle = np.hypot(a, b), np.degrees(np.arctan2(b, a)) % 360
+    turn = (angle[1] - angle[0] + 180) % 360 - 180
+    light, strong, way = labs[:, 0].mean(), chroma.mean(), angle[0] + turn / 2
+    arcs = np.cos(np.radians([way - 30, 2 * way, 3 * way + 6, 4 * way - 63]))
+    t = 1 + arcs @ [-0.17, 0.24, 0.32, -0.20]
+    parts = (
+        (labs[1, 0] - labs[0, 0]) / (1 + 0.015 * (light - 50) ** 2 / np.sqrt(20 + (light - 50) ** 2)),
+        (chroma[1] - chroma[0]) / (1 + 0.045 * strong),
+        2 * np.sqrt(chroma.prod()) * np.sin(np.radians(turn / 2)) / (1 + 0.015 * strong * t),
+    )
+    bent = np.sin(np.radians(60 * np.exp(-((((way % 360) - 275) / 25) ** 2))))
+    rotation = -2 * np.sqrt(strong**7 / (strong**7 + 25.0**7)) * bent
+    return float(np.sqrt(sum(part**2 for part in parts) + rotation * parts[1] * parts[2]))
+
+
 _XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
 _DEUTAN = np.array([[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]])
 _PROTAN = np.array([[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]])
@@ -267,3 +293,9 @@ def test_hues_that_are_close_stand_side_by_side_only_where_no_other_is_left() ->
     few = tones([tuple(Vector(a=0j, b=1j, role=Role.GIVEN, key=f"v_{letter}", step=1) for letter in "ABCDEF")], [])
     assert not any({a, b} <= set(few.values()) for a, b in CLOSE)
     assert len(set(few.values())) == 6
+
+
+def test_motions_of_one_point_that_nothing_shows_together_have_one_hue() -> None:
+    """v_K of the pitch point, and a_K5 of the rack; a_K4 of the gear, which stands beside a_K5, has its own."""
+    found = drawn("travel-doubler").construction.tones
+    assert found["motion K"] == found["motion K5"] != found["motion K4"]

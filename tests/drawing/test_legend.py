@@ -52,8 +52,9 @@ def test_every_motion_of_the_polygons_has_a_sample_in_its_ink_and_with_its_shaft
 
 def test_a_motion_is_named_by_its_whole_and_a_sum_of_parts_by_these() -> None:
     names = [one.words.en for one in key_of_vectors(_figures("3-9"), "en")]
-    assert "$v_{C2B}$, $a_{C2B}$" in names and "$v_{C2C3}$, $a_{C2C3}$" in names
+    assert "$v_{C2B}$, $a_{C2B}$" in names and "$v_{C2C3}$, $a^k_{C2C3}$, $a^r_{C2C3}$" in names
     assert _symbol("(at_CB + at_S3C)") == "a^t_{CB} + a^t_{S3C}" and _symbol("an_CB") == "a_{CB}"
+    assert _symbol("ak_C2C3") == "a^k_{C2C3}"  # of Coriolis: no part of a vector that is drawn
 
 
 @pytest.mark.parametrize("name", SOME)

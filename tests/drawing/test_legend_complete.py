@@ -31,6 +31,7 @@ from vecpoly.board.paper.marks import (
     TurnArrow,
     Vector,
 )
+from vecpoly.drawing.legend.circles import FINE, ROUNDS, THIN
 from vecpoly.drawing.legend.kinds import KINDS, LEAST
 from vecpoly.drawing.legend.legend import entries
 from vecpoly.drawing.legend.met import area
@@ -52,7 +53,7 @@ def _is_sign(figure: Figure, mark: Mark) -> bool:
             return fixed
         case ImageOf(points=points):
             return area(points) <= LEAST
-        case Vector(role=Role.CONSTRUCTION):
+        case Vector(role=Role.CONSTRUCTION) | Segment(owner="spring"):
             return True
         case (
             Vector(role=Role.DIRECTION)
@@ -81,6 +82,15 @@ def test_every_line_and_sign_of_a_figure_has_an_entry_or_is_one_of_the_standards
     assert not [*_unexplained(name)]
 
 
+@each(IDS)
+def test_no_legend_says_outline_where_it_can_say_of_what(name: str) -> None:
+    """Nor names a line twice, by two kinds that stand for the same."""
+    for figure in drawn(name).construction.figures:
+        for mark in figure.marks:
+            words = [kind.words.en for kind in (*ROUNDS, *FINE, *THIN) if kind.met(figure, mark)]
+            assert len(words) <= 1 and "outline or connecting line" not in words
+
+
 @each(DRAFTED)
 def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> None:
     """Also a full one: its figures make room for the band, as close together as they may stand."""
@@ -97,7 +107,11 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
         ("four-positions", {"solution rejected"}, {"other solution"}),
         ("curv-6", {"fixed centrode", "moving centrode"}, {"path of a point"}),
         ("curv-3", {"path of a point", "osculating circle"}, {"base circle", "outline or connecting line"}),
-        ("gear-undercut", {"base circle", "successive positions of the rack"}, {"other positions"}),
+        (
+            "gear-undercut",
+            {"base circle", "successive positions of the rack", "flank of the rack", "tip, reference, root circle"},
+            {"other positions", "outline or connecting line"},
+        ),
         ("curv-4", {"return circle", "osculating circle", "return pole"}, {"normal of a contact"}),
         ("curv-5", {"pole positions, moving plane"}, {"return circle"}),
         (
@@ -105,7 +119,20 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
             {"radius at $φ$ = 60°", "farthest instant centre, rise, return"},
             {"nearest, farthest contact"},
         ),
-        ("cam-flat-arm", {"nearest, farthest contact"}, {"farthest instant centre, rise, return"}),
+        (
+            "cam-flat-arm",
+            {"nearest, farthest contact", "pivot in that position", "base circle", "circle of the pivots"},
+            {"farthest instant centre, rise, return", "offset circle", "circle of a pin"},
+        ),
+        ("cam-roller-offset", {"base circle", "offset circle", "roller"}, {"circle of the pivots"}),
+        ("travel-doubler", {"image of a gear", "pitch circle or line"}, {"circle of a pin", "base circle"}),
+        ("rack-drives-pinion", {"image of a gear"}, {"circle of a pin"}),
+        ("4-4", {"base circle", "link in place of a contact"}, {"offset circle", "extended or auxiliary line"}),
+        ("3-6", {"instant centre, at rest", "acceleration pole"}, {"pole positions, fixed plane", "instant centre"}),
+        ("5-1", {"lines of action that meet"}, {"extended or auxiliary line"}),
+        ("8-15", {"circle of a pin"}, {"image of a gear", "base circle"}),
+        ("engine-four", {"middle plane"}, {"extended or auxiliary line"}),
+        ("6-1", {"outline of the rotor"}, {"roller"}),
         ("return-spring", {"arm of a force", "$v$ projected on a force"}, {"instant centre"}),
         ("5-2", {"normal of a contact", "angle of friction", "force that prevents sliding"}, {"pole normal"}),
         ("cam-moves-arm", {"circle of curvature of the profile"}, {"osculating circle"}),

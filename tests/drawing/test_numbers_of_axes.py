@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 
+import pytest
+
 from tests.drawn_library import DRAFTED, drawn
 from tests.each import Later, each
 from vecpoly.board.paper.marks import Note
 from vecpoly.drawing.figure import drawing
+from vecpoly.methods.diagrams.axes import divisions, numbers
 
 LEVEL = 0.05  # mm
 UNDER = -1j
@@ -44,3 +47,25 @@ def test_no_number_of_a_cams_axis_is_moved_off_to_a_leader_by_a_tick(name: str) 
     figures = [figure for figure in drawn(name).construction.figures if any(map(is_under, figure.marks))]
     labels = [label for figure in figures for label in drawing(figure).labels if label.want.level]
     assert labels and all(label.foot is None for label in labels)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "written"),
+    [
+        (0.0, 0.15, ["0", "0.05", "0.10", "0.15"]),
+        (-0.1, 0.1, ["−0.10", "−0.05", "0", "0.05", "0.10"]),
+        (0.0, 40.0, ["0", "10", "20", "30", "40"]),
+        (0.0, 2.0, ["0", "0.5", "1.0", "1.5", "2.0"]),
+        (0.0, 4e6, ["0", "1e+06", "2e+06", "3e+06", "4e+06"]),
+    ],
+)
+def test_numbers_along_an_axis_have_one_count_of_decimals(low: float, high: float, written: list[str]) -> None:
+    assert numbers(divisions(low, high, 4)) == written
+
+
+@pytest.mark.parametrize("name", ["straight-hoecken", "press-flywheel", "function-log"])
+def test_numbers_beside_an_axis_that_goes_up_have_one_count_of_decimals(name: str) -> None:
+    """Of 0.05, 0.1, 0.15 the middle one is 0.10."""
+    for figure in drawn(name).construction.figures:
+        beside = [mark.words.zh for mark in figure.marks if isinstance(mark, Note) and mark.side == -1]
+        assert len({len(text.partition(".")[2]) for text in beside if text[-1].isdigit() and text != "0"}) <= 1

@@ -166,6 +166,14 @@ def test_a_friction_circle_too_small_to_see_where_it_is_touched_is_drawn_apart()
     assert letters(main) == {"A", "B", "Ⅰ"} and letters(detail) == {"A"}
 
 
+@pytest.mark.parametrize("radius", [0.8, 1.6, 1.9])
+def test_a_friction_circle_is_drawn_apart_more_than_twice_as_large(radius: float) -> None:
+    """At 2:1 one of 3 mm is hardly seen better."""
+    main, detail = detailed(bearing(radius))
+    (circle,) = (mark for mark in detail.marks if isinstance(mark, FrictionCircle))
+    assert main.scale.value >= 2.5 * detail.scale.value and circle.radius >= 2.5
+
+
 def test_a_friction_circle_that_can_be_seen_is_not_drawn_apart() -> None:
     assert detailed(bearing(2.5)) == (bearing(2.5),)
 

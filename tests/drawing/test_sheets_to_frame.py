@@ -77,7 +77,7 @@ def test_what_shares_a_sample_is_named_in_one_entry_and_nothing_is_lost() -> Non
     found = entries(drawn("planet-drive").construction.figures, "en")
     shared = [group for group in alike(found) if len(group) > 1]
     assert [one for group in alike(found) for one in group] != [] and len(shared) == 1
-    assert {one.words.zh for one in shared[0]} == {"节圆、节线", "轨迹圆、基准圆", "中心线、基准线"}
+    assert {one.words.zh for one in shared[0]} == {"节圆、节线", "齿轮的影像", "中心线、基准线"}
     assert sum(map(len, alike(found))) == len(found)
 
 

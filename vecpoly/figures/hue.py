@@ -42,10 +42,11 @@ Hue.WHITE = Hue("white", (1.0, 1.0, 1.0), is_tint=True)
 Hue.PLATE = Hue("plate", (0.91, 0.91, 0.91), is_tint=True)
 Hue.HATCH = Hue("hatch", (0.72, 0.72, 0.72), is_tint=True)
 # By which the vectors of a problem are told apart: each has a contrast of 4.6 to 1 on white, and they stay apart for
-# eyes that confuse red and green (CIE76 differences of 23 and more, by Machado's matrices).
+# eyes that confuse red and green (CIE76 differences of 21 and more, by Machado's matrices); no two are more alike than
+# CIEDE2000 = 20 tells: blue, orange, sea green, magenta, olive, brown, indigo, slate.
 TONES = tuple(
     Hue(f"tone_{n}", tuple(int(text[i : i + 2], 16) / 255 for i in (0, 2, 4)))  # type: ignore[arg-type]
-    for n, text in enumerate(("006bf2", "cc4a12", "228051", "750d8c", "297d99", "593600", "732954", "0004f2"), start=1)
+    for n, text in enumerate(("006bf2", "cc4a12", "005d4b", "d11ba3", "757749", "523000", "3c00bb", "4b4568"), start=1)
 )
 # those of no kind of figure
 PLAIN = (Hue.BLACK, Hue.GREY, Hue.FAINT, Hue.GHOST, Hue.ALARM, Hue.WHITE, Hue.PLATE, Hue.HATCH)

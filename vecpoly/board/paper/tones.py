@@ -4,8 +4,9 @@ One and the same motion, or force, has one tone wherever it appears: in its equa
 on free bodies. v_CB, a^n_CB and a^t_CB are the motion of C about B; R_12 and R_21 are the force in one joint, with
 friction or without; W_1, W_1I and C_1 are what one mass of a rotor gives. What stands in one figure or in one equation
 has different tones: first one of as many as there are hues, then one of a second series with the same hues and another
-line; where these run out too, it has none. Of those that are free a quantity has one that no other of its kind has, as
-far as they go: two joints, or a joint and a load, are told apart also where no figure shows both.
+line; where these run out too, it has none. Two motions of one point that no figure and no equation shows together have
+one tone: v_K and a_K4. Of those that are free a quantity has one that no other of its kind has, as far as they go: two
+joints, or a joint and a load, are told apart also where no figure shows both.
 """
 
 from __future__ import annotations
@@ -25,13 +26,14 @@ from .marks import Mark, TurnArrow, Vector
 
 HUES = len(TONES)
 MANY = 2 * HUES
-CLOSE = ((1, 8), (4, 7))  # blue and dark blue, purple and plum
+CLOSE = ((1, 7), (7, 8))  # blue and indigo, indigo and slate
 _MOTION = pattern(r"\b[va][nktr]?_")
 _POINTS = pattern(rf"({LETTER}\d*)({LETTER}\d*)")
 _JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)(?:(_r)|\b)")
 _MASS = pattern(r"[WC]_(\d+|b)(I*)")  # of a mass of a rotor: whole, its part in a plane, the couple that it makes
 _COUPLE = pattern(r"F_M(I?\d+)")  # a couple as a force on a lever
 _PRIME = "'"  # of the other sense of motion, in symbols; in keys it is _r
+_DIGITS = pattern(r"\d+")
 _PART = pattern(r"([_,](0|[nt]))+$")
 
 
@@ -75,9 +77,9 @@ def tones(figures: Iterable[tuple[Mark, ...]], equations: Iterable[tuple[str, ..
     for one in dict.fromkeys(chain.from_iterable((*written, *drawn))):
         taken = {found[other] for other in beside[one] if other in found}
         if free := [tone for tone in range(1, MANY + 1) if tone not in taken]:
-            alike, acting, used = (_used(found, one, test) for test in (_of_a_kind, _of_a_sort, _any))
+            kin, alike, acting, used = (_used(found, one, test) for test in (_of_a_point, _of_a_kind, _of_a_sort, _any))
             close = _close(taken)
-            found[one] = min(free, key=lambda t: (t > HUES, alike[t], _hue(t) in close, acting[t], used[t], t))
+            found[one] = min(free, key=lambda t: (t > HUES, -kin[t], alike[t], acting[t], used[t], _hue(t) in close, t))
     return FrozenMap(found)
 
 
@@ -95,6 +97,11 @@ def _close(taken: Iterable[int]) -> set[int]:
 def _used(found: Mapping[str, int], one: str, test: Callable[[str, str], bool]) -> Counter[int]:
     """How often each tone is taken by what is like this one."""
     return Counter(tone for other, tone in found.items() if test(one, other))
+
+
+def _of_a_point(one: str, other: str) -> bool:
+    """Both motions, of a point and of the same as one of a link: v_K of the pitch point and a_K4."""
+    return one.startswith("motion ") and _DIGITS.sub("", one) == _DIGITS.sub("", other)
 
 
 def _of_a_kind(one: str, other: str) -> bool:

@@ -14,6 +14,7 @@ EDGE, TIGHT = 9.0, 0.8  # mm between the crowd and the ring about it: in the det
 IMAGE, CLEARLY = 52.0, 16.0  # mm across: the detail of an image of a link at most; an image that can be read
 SMALLEST = 1.0  # mm: radius of a circle that can be seen
 WIDE, LONG = 8.0, 5.0  # mm in the detail: between letters, of a vector, if there is room;
+ROUND = 2.5  # times larger: a circle on which one is to see where a line touches it, if there is room
 FREE = 14.0  # mm in the detail between letters about which many lines end
 LEGIBLE = 5.0  # mm between letters in the detail, at least
 SEEN = 3  # what a knot is worth at least: three pairs of letters, or one vector
@@ -43,12 +44,13 @@ class Knot:
 @dataclass(frozen=True, slots=True)
 class Trouble:
     """Two places that are too near: the ends of a short vector, or two letters; crossed: letters about which so many
-    lines end that they hide each other."""
+    lines end that they hide each other; rim: the ends of a diameter of a circle."""
 
     a: complex
     b: complex
     vector: bool
     crossed: bool = False
+    rim: bool = False
 
     @property
     def length(self) -> float:
@@ -64,6 +66,8 @@ class Trouble:
         """Whether they are far enough apart so many times larger."""
         if self.crossed:
             return self.length * factor >= (FREE if well else WIDE)
+        if self.rim:
+            return self.length * factor >= LONG and (not well or factor >= ROUND)
         least = (LONG if well else READABLE) if self.vector else (WIDE if well else LEGIBLE)
         return self.length * factor >= least
 

@@ -12,7 +12,7 @@ from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
 from ...board.paper.marks import Dot, FrictionCircle, ImageOf, Point, Segment, Vector
 from ...board.ruler import READABLE
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from .knot import Knot, Trouble, about_image
 from .nest import Nest
 
@@ -67,7 +67,7 @@ class Crowd:
     @property
     def knots(self) -> tuple[Knot, ...]:
         """The places that are to be drawn apart, the worst first: circles none of which overlap."""
-        small = (*_short(self.vectors, READABLE), *_short(self.circles, ROUND))
+        small = (*_short(self.vectors, READABLE), *_short(self.circles, ROUND, rim=True))
         left, found = _snapped([*_crowds(self.places), *_twins(self.own), *small]), list[Knot]()
         while left and len(found) < MOST:
             best = Nest.of(left).best(self.across, found)
@@ -109,16 +109,16 @@ def _snapped(troubles: Sequence[Trouble]) -> list[Trouble]:
     ends = dict.fromkeys(end for one in troubles for end in (one.a, one.b))
     places = np.array(_distinct(ends) or [0j])
     at = {end: complex(places[np.argmin(abs(places - end))]) for end in ends}
-    return [Trouble(at[one.a], at[one.b], one.vector, one.crossed) for one in troubles]
+    return [replace(one, a=at[one.a], b=at[one.b]) for one in troubles]
 
 
-def _short(vectors: Sequence[tuple[complex, complex]], least: float) -> list[Trouble]:
-    """Those that are too short to be seen, or measured, each once; least: that are not (mm)."""
+def _short(vectors: Sequence[tuple[complex, complex]], least: float, *, rim: bool = False) -> list[Trouble]:
+    """Those that are too short to be seen, or measured, each once; least: that are not (mm); rim: diameters."""
     found: dict[frozenset[complex], Trouble] = {}
     for a, b in vectors:
         if SPECK <= abs(b - a) < least:
             ends = frozenset(complex(round(z.real, 2), round(z.imag, 2)) for z in (a, b))
-            found.setdefault(ends, Trouble(a, b, True))
+            found.setdefault(ends, Trouble(a, b, True, rim=rim))
     return list(found.values())
 
 

@@ -20,7 +20,6 @@ from .met import (
     is_flow,
     is_force,
     is_mass,
-    is_outline,
     is_path,
     is_solid,
     is_speed,
@@ -68,7 +67,6 @@ CURVES: tuple[Kind, ...] = (
         words=Words("凸轮廓线（理论廓线）的一段", "part of the profile or pitch curve"), met=is_arc_of_cam, sample=line
     ),
     Kind(words=Words("基圆", "base circle"), met=is_base_circle, sample=line),
-    Kind(words=Words("轮廓、连线", "outline or connecting line"), met=is_outline, sample=line, plain=True),
 )
 BODIES: tuple[Kind, ...] = (
     Kind(

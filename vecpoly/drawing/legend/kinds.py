@@ -28,7 +28,7 @@ from ..labels.actions import is_line_of_action
 from ..style import Dash
 from ..symbols.around import RING
 from .bodies import BODIES, CURVES
-from .circles import is_return_circle, of_rack, osculating
+from .circles import FINE, ROUNDS, THIN, is_return_circle, of_rack, osculating
 from .entry import HALF, MIDDLE, WIDE, Entry, drawn_as_on
 from .kind import Kind
 from .met import (
@@ -36,7 +36,6 @@ from .met import (
     designed,
     dotted,
     has_lobes,
-    imagined,
     in_axial_view,
     in_centre_polygon,
     in_polygon,
@@ -162,12 +161,7 @@ KINDS: tuple[Kind, ...] = (
     Kind(words=Words("其余各位置", "other positions"), met=of_rack(generating=False), sample=line),
     Kind(words=Words("校正平面", "correction plane"), met=in_axial_view, sample=line),
     Kind(words=Words("配重的方位", "position of a counterweight"), met=to_counterweight, sample=line),
-    Kind(
-        words=Words("假想线、辅助线", "imagined or auxiliary line"),
-        met=imagined,
-        sample=line,
-        brief=Words("假想线", "imagined line"),
-    ),
+    *FINE,
     Kind(
         words=Words("节圆、节线", "pitch circle or line"),
         met=lambda _, mark: isinstance(mark, GearMark | RackMark),
@@ -175,13 +169,9 @@ KINDS: tuple[Kind, ...] = (
         black=True,
         brief=Words("节圆", "pitch circle"),
     ),
-    Kind(
-        words=Words("轨迹圆、基准圆", "path or base circle"),
-        met=traced(Role.CENTRE, Arc),
-        sample=line,
-        brief=Words("轨迹圆", "path (circle)"),
-    ),
+    *ROUNDS,
     *CURVES,
+    *THIN,
     _hatched(True),
     _hatched(False),
     Kind(

@@ -16,7 +16,7 @@ from .alike import alike, joined
 from .entry import HALF, WIDE, Entry
 from .images import tinted
 from .kinds import FOUND, KNOWN, kinds_met, side_by_side
-from .letters import letters_met
+from .letters import letters_met, resting_met
 from .vectors import key_of_vectors
 
 TITLE = Words("图例", "Legend")
@@ -54,7 +54,8 @@ def entries(figures: Sequence[Figure], lang: Lang) -> tuple[Entry, ...]:
     kinds = tinted([*kinds_met(figures, lang)], figures, lang)
     both = {KNOWN.words, FOUND.words} <= {one.words for one in kinds}
     kept = [one for one in kinds if both or one.words not in (KNOWN.words, FOUND.words)]
-    found = (*key_of_vectors(figures, lang), *side_by_side(figures, lang), *letters_met(figures, lang), *kept)
+    letters = (*resting_met(figures, lang), *letters_met(figures, lang))
+    found = (*key_of_vectors(figures, lang), *side_by_side(figures, lang), *letters, *kept)
     return () if all(one.plain for one in found) else found
 
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Mark, Point, Vector
+from ...board.paper.marks import Dot, Mark, Point, Vector
 from ...foundation.slotted import dataclass
 from ...typeset import layout_words
 from ...words import Lang, Words
@@ -14,6 +14,12 @@ from ..scene import TextBox
 from ..style import NOTE
 from .entry import WIDE, Entry
 
+_RESTING = (
+    (View.VELOCITY, "", Words("速度瞬心（速度为零）", "instant centre, at rest")),
+    (View.ACCELERATION, "^′", Words("加速度瞬心（加速度为零）", "acceleration pole")),
+)
+_OF_LINK = re.compile(r"[A-Z]_\{?\d+\}?")  # M_2: a point of link 2
+_NEAR = 1e-6  # mm
 _MORE = "…"  # after letters for which a sample has no room
 
 
@@ -38,6 +44,21 @@ def letters_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
             told = next(iter(found.values()))
             words = Words(letter.words.zh.replace("{}", told), letter.words.en.replace("{}", told))
             yield Entry((_sample(list(found)),), words)
+
+
+def resting_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
+    """An entry for the points of links that were found at rest, and one for those without acceleration: their images
+    lie at the pole."""
+    lettered = (one for figure in figures if _with_centres(figure) for one in figure.marks if isinstance(one, Point))
+    found = dict.fromkeys(one.label for one in lettered if one.dot is Dot.POINT and _OF_LINK.fullmatch(one.label))
+    for view, prime, words in _RESTING:
+        held = {_label(one) for figure in figures if figure.view is view for one in figure.marks if _at_pole(one)}
+        if some := [label for label in found if f"{label[0].lower()}{label[1:]}{prime}" in held]:
+            yield Entry((_sample(some),), words)
+
+
+def _at_pole(mark: Mark) -> bool:
+    return isinstance(mark, Point) and abs(mark.at) < _NEAR
 
 
 def _labels(figure: Figure) -> list[str]:
@@ -162,7 +183,8 @@ LETTERS: tuple[Letter, ...] = (
     Letter(_motion, r"m_3", Words("曲率半径最小处", "minimum radius of curvature")),
     Letter(is_of_cam, r"r_\{(\d+)\}", Words("$φ$ = {}° 处的向径", "radius at $φ$ = {}°")),
     Letter(_of_flat_face, r"P_[12]", Words("推程、回程中离 $O$ 最远的瞬心", "farthest instant centre, rise, return")),
-    Letter(_of_flat_arm, r"[AT]_[12](\^′)?", Words("离垂足最近、最远的切点", "nearest, farthest contact")),
+    Letter(_of_flat_arm, r"T_[12]", Words("离垂足最近、最远的切点", "nearest, farthest contact")),
+    Letter(_of_flat_arm, r"A_[12]\^′", Words("相应的摆轴位置", "pivot in that position")),
     Letter(is_of_cam, r"C_0", Words("起始导路的垂足", "foot of the first guide")),
     Letter(is_of_cam, r"B_0", Words("推程起始点", "start of the rise")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"P", Words("相对瞬心", "relative instant centre")),

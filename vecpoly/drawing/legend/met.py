@@ -71,7 +71,8 @@ def in_axial_view(figure: Figure, mark: Mark) -> bool:
 
 def to_counterweight(figure: Figure, mark: Mark) -> bool:
     """Whether it leads to a mass that is hung on a link."""
-    return _fine(mark) and any(isinstance(one, Point) and one.label.startswith("m_{c") for one in figure.marks)
+    hung = (isinstance(one, Point) and one.label.replace("{", "").startswith("m_c") for one in figure.marks)
+    return _fine(mark) and any(hung)
 
 
 def designed(role: Role, *, given: bool) -> Met:
@@ -155,17 +156,24 @@ def is_base_circle(figure: Figure, mark: Mark) -> bool:
 
 
 def is_outline(figure: Figure, mark: Mark) -> bool:
-    """Whether it is a full line, neither thick nor fine, that is known for what it is: an outline, a spring, a line
-    between two places."""
+    """Whether it is a full line, neither thick nor fine, that is known for what it is: an outline, a line between two
+    places; not the coil of a spring, which the standards have."""
     thin = isinstance(mark, Arc | Segment) and mark.role is Role.GIVEN
-    known = in_polygon(figure) or in_centre_polygon(figure) or on_curvature(Role.GIVEN, Arc)(figure, mark)
+    known = (
+        mark.owner == "spring"
+        or is_flow(figure, mark)
+        or in_polygon(figure)
+        or in_centre_polygon(figure)
+        or on_curvature(Role.GIVEN, Arc)(figure, mark)
+    )
     known = known or is_cognate(Role.GIVEN)(figure, mark)
     return thin and not known and not any(designed(Role.GIVEN, given=one)(figure, mark) for one in (True, False))
 
 
 def is_flow(figure: Figure, mark: Mark) -> bool:
-    """Whether it is an arrow between the machines of a train."""
-    return isinstance(mark, Vector) and mark.role is Role.GIVEN and figure.name == "train" and not mark.label
+    """Whether it is an arrow between the machines of a train, or a line that arrows branch from."""
+    flows = figure.name == "train" and any(isinstance(one, Vector) and not one.label for one in figure.marks)
+    return flows and isinstance(mark, Vector | Segment) and mark.role is Role.GIVEN and not getattr(mark, "label", "")
 
 
 def is_force(figure: Figure, mark: Mark) -> bool:

@@ -27,9 +27,9 @@ ROWS = 4  # of a band on a page: what is higher is a block
 
 def with_legend(sheet: Sheet) -> Sheet:
     """The sheet with what its lines and symbols stand for: on a band; else with the figures laid out anew, closer
-    together; else on one without what is plain, in either way; else with the figures as close as they may stand;
-    else, with both, on a block; else parted on two blocks or three, of the inks of vectors and of the rest where
-    they have room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
+    together; else on one with closer rows, or without what is plain, in either way; else with the figures as close as
+    they may stand; else, with both, on a block; else parted on two blocks or three, of the inks of vectors and of the
+    rest where they have room so; else as much of it as has room; as it is where all is plain, or nothing has room."""
     sets = _sets(sheet)
     if sheet.plate:
         return _on_plate(sheet, sets)
@@ -87,7 +87,7 @@ def _sets(sheet: Sheet) -> list[list[Cell]]:
 
 def _banded(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Iterator[tuple[Sheet, Grid]]:
     """The sheet with a band, in every way in which it has room for one, the best first."""
-    grids = [band(some, sheet.lang, sheet.room[0]) for some in sets]
+    grids = [band(some, sheet.lang, sheet.room[0], close=close) for some in sets for close in (False, True)]
     ways = ((way, grid) for grid in grids for way in (_over_strip, _laid_anew))
     yield from ((made, grid) for way, grid in ways if (made := way(sheet, grid)) is not None)
 

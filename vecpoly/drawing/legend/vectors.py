@@ -38,6 +38,6 @@ def _unnamed(figure: Figure) -> Iterator[Vector]:
 
 
 def _symbol(key: str) -> str:
-    """The symbol of the motion: a_{CB} of its parts; of a sum of parts, these."""
-    whole = not key.startswith("(")
-    return _MOTION.sub(lambda m: f"{m[1]}{f'^{m[2]}' if m[2] and not whole else ''}_{{{m[3]}}}", key.strip("()"))
+    """The symbol of the motion: a_{CB} of its parts aⁿ and aᵗ; that of Coriolis by itself; of a sum of parts, these."""
+    kept = "nktr" if key.startswith("(") else "kr"
+    return _MOTION.sub(lambda m: f"{m[1]}{f'^{m[2]}' if m[2] and m[2] in kept else ''}_{{{m[3]}}}", key.strip("()"))

@@ -63,9 +63,18 @@ def divisions(low: float, high: float, parts: float) -> list[float]:
 def _levels(axes: Axes, scale: float) -> Iterator[tuple[float, str]]:
     """How high a number stands on the upright axis (mm), and the number."""
     low, high = min(axes.low, 0.0) * scale, max(axes.high, 0.0) * scale
-    for value in divisions(low, high, LEVELS) if high > low else ():
+    values = divisions(low, high, LEVELS) if high > low else []
+    for value, text in zip(values, numbers(values), strict=True):
         if abs(value) > 1e-9 * (high - low):
-            yield value / scale, f"{value:.6g}".replace("-", "−")
+            yield value / scale, text
+
+
+def numbers(values: Sequence[float]) -> list[str]:
+    """Round numbers along one axis, each with as many decimals as the one that has most; zero has none."""
+    short = [f"{value:.6g}" for value in values]
+    most = max((len(text.partition(".")[2]) for text in short), default=0)
+    long = (text if "e" in text or not float(text) else f"{float(text):.{most}f}" for text in short)
+    return [text.replace("-", "−") for text in long]
 
 
 def angle_ticks(

@@ -13,7 +13,7 @@ from ...board.paper.scales import round_up
 from ...board.place import Pane
 from ...plane import Points
 from ...words import Words
-from ..diagrams.axes import divisions
+from ..diagrams.axes import divisions, numbers
 from .draft import Draft
 
 WIDE, HIGH = 100.0, 45.0  # mm: of a chart, at most
@@ -34,9 +34,11 @@ class Axis:
         """A round scale by which it fills the room (mm)."""
         return Scale(symbol=f"μ_{self.symbol[0]}", value=round_up((self.high - self.low) / room), unit=self.unit)
 
-    def divisions(self) -> list[float]:
-        """Round numbers from end to end."""
-        return divisions(self.low, self.high, DIVISIONS)
+    @property
+    def numbered(self) -> list[tuple[float, str]]:
+        """Round numbers from end to end, and how they are written."""
+        values = divisions(self.low, self.high, DIVISIONS)
+        return [*zip(values, numbers(values), strict=True)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,15 +82,15 @@ class Chart:
         for start, end, axis in ((0j, far + BEYOND, self.right), (low, high + 1j * BEYOND, self.up)):
             board.arrow(place, start, end, Role.DIRECTION)
             board.plot(place, end, f"{axis.symbol}/{axis.unit}" if axis.unit else axis.symbol, Dot.NONE)
-        for x in self.right.divisions():
-            self._tick(self.at(x, self.base), 1j, -1j, x)
-        for y in self.up.divisions():
-            self._tick(self.at(self.right.low, y), 1 + 0j, -1 + 0j, y)
+        for x, text in self.right.numbered:
+            self._tick(self.at(x, self.base), 1j, -1j, text)
+        for y, text in self.up.numbered:
+            self._tick(self.at(self.right.low, y), 1 + 0j, -1 + 0j, text)
 
-    def _tick(self, at: complex, along: complex, side: complex, value: float) -> None:
+    def _tick(self, at: complex, along: complex, side: complex, text: str) -> None:
         board = self.draft.board
         board.join(self.place, at - along * TICK / 2, at + along * TICK / 2, Role.CONSTRUCTION)
-        board.note(self.place, at + TICK / 2 * side, Words.same(f"{value:.6g}".replace("-", "−")), side)
+        board.note(self.place, at + TICK / 2 * side, Words.same(text), side)
 
 
 def chart(draft: Draft, name: str, title: Words, right: Axis, up: Axis) -> Chart:

@@ -80,15 +80,11 @@ def _title(group: Group, drivers: tuple[str, ...], several: bool) -> Words:
     return (
         when
         + Words(
-            f"{group.roman} 级杆组 {_named(group.links)}",
-            f"{'class' if several else 'Class'} {latin(group.rank)} group {_named(group.links)}",
+            f"{group.roman} 级杆组 {'-'.join(group.links)}",
+            f"{'class' if several else 'Class'} {latin(group.rank)} group {', '.join(group.links)}",
         )
         + kind
     )
-
-
-def _named(links: tuple[str, ...]) -> str:
-    return "-".join(links)
 
 
 def _told(group: Group, index: int, chain: Chain) -> Words:
