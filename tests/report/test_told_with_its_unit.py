@@ -74,7 +74,7 @@ def test_a_deviation_is_that_of_the_two_values_beside_it(name: str) -> None:
         assert off == pytest.approx(100 * (here - there) / abs(there), abs=0.0051), row
 
 
-@pytest.mark.parametrize("name", ["plate-reactions", "whitworth-quick-return", "3-9", "4-3a"])
+@pytest.mark.parametrize("name", ["curv-10", "shaper-cut", "5-3", "plate-on-crank", "8-9"])
 def test_a_length_on_paper_times_its_scale_is_the_value_beside_it(name: str) -> None:
     solution = of(name)
     table = _values([one for one in solution.answers.values() if not one.is_place], solution, "en")

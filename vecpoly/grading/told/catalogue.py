@@ -180,9 +180,7 @@ SENTENCES: Mapping[Told, Words] = {
         "与把 ${line}$ 内分（应为外分），或外分（应为内分）的结果一致",
         "Matches ${line}$ divided between its ends in place of beyond them, or the other way round",
     ),
-    Told.TRANSLATES: Words(
-        "构件 {link} 此时不转动（平动），此量为 0", "Link {link} does not turn here, it translates: this is 0"
-    ),
+    Told.TRANSLATES: Words("构件 {link} 平动，此量为 0", "Link {link} does not turn here, it translates: this is 0"),
     Told.ZERO: Words("此量为零", "This quantity is zero"),
     Told.NOT_ZERO: Words("不正确：此量不为零", "Not correct: this quantity is not zero"),
     Told.READ: Words(
