@@ -49,3 +49,9 @@ def test_poles_that_are_hard_to_find_refuse_no_task(poses: list[str]) -> None:
             continue
         solution = solved(problem)
         assert len(solution.construction.candidates) == count and not solution.suspect
+
+
+def test_a_centre_point_hundreds_of_figures_away_is_found_too() -> None:
+    poses = ["(0, 0) mm at 0 deg", "(32, -28) mm at 11 deg", "(41, -48) mm at 30 deg", "(49, -22) mm at 53 deg"]
+    found = solved(posed("positions", poses=poses, A="on x = -29 mm", D="on x = -29 mm"))
+    assert not found.suspect and len(found.construction.candidates) == 3

@@ -32,7 +32,8 @@ def centre_places(line: Line, stands: Sequence[Stands]) -> list[Reals]:
     at, along, *poses = (np.asarray(np.ravel(spot), np.complex128) for spot in spread)
     hands = max(1, at.size)
     middle, size = _reach(complex(at[0]), complex(along[0]), poses)
-    found = _zeros(at + middle * along, size * along, poses, hands)
+    ends = np.arctan((np.array([-FAR, FAR]) - middle) / size)
+    found = _zeros(at + middle * along, size * along, poses, hands, ends)
     first = found[0]
     columns = np.array([_alike(first, other) for other in found]).T
     kept = [column for column in middle + size * np.tan(columns) if abs(column[0]) < FAR]
@@ -46,8 +47,8 @@ def _reach(at: complex, along: complex, poses: Sequence[Several]) -> tuple[float
     return (middle * along.conjugate()).real, float(np.abs(spots - middle).max() + abs((middle / along).imag))
 
 
-def _zeros(at: Several, along: Several, poses: Sequence[Several], hands: int) -> list[list[float]]:
-    """For every hand the places u where the deviation changes its sign, in order."""
+def _zeros(at: Several, along: Several, poses: Sequence[Several], hands: int, ends: Numbers) -> list[list[float]]:
+    """For every hand the places u where the deviation changes its sign, in order; ends: those of the line."""
 
     turns = turned(poses)
 
@@ -56,10 +57,11 @@ def _zeros(at: Several, along: Several, poses: Sequence[Several], hands: int) ->
         return deviation([spot[hand] for spot in poses], [turn[hand] for turn in turns], m)
 
     tried = np.linspace(-np.pi / 2, np.pi / 2, TRIALS + 2)[1:-1]
+    tried = np.concatenate([ends[:1], tried[(ends[0] < tried) & (tried < ends[1])], ends[1:]])
     values = off(tried[:, None], slice(None))
     row, hand = np.nonzero(values[:-1] * values[1:] < 0)
-    ends = tried[row], tried[row + 1], hand
-    low, high, hand = (np.concatenate(parts) for parts in zip(ends, _twice(off, tried, values), strict=True))
+    between = tried[row], tried[row + 1], hand
+    low, high, hand = (np.concatenate(parts) for parts in zip(between, _twice(off, tried, values), strict=True))
     above = off(low, hand) > 0
     for _ in range(REFINED):
         middle = (low + high) / 2
