@@ -127,7 +127,7 @@ def test_answers_beside_a_problem_are_checked_with_a_reason(run: Run) -> None:
     assert right.exit_code == 0 and "right" in right.stdout and wrong.exit_code == 1
     assert (
         "Link 3 does not turn here" in wrong.stdout
-        and "构件 3 此时不转动" in run("check", "3-12", "α3=12", "--lang", "zh").stdout
+        and "构件 3 平动" in run("check", "3-12", "α3=12", "--lang", "zh").stdout
     )
     assert "of which problem" in run("check", "v_D=0.49").stderr
     assert "'kg' is no unit of this quantity (it should be m/s)" in run("check", "3-12", "v_D=1 kg").stdout

@@ -49,7 +49,7 @@ def test_what_stands_still_for_a_moment_is_nothing() -> None:
 
 def test_a_candidate_that_is_no_solution_is_told_with_its_reason() -> None:
     for lang, why in (
-        ("en", "Candidate 2 rejected: C_1 and C_2 lie on opposite sides of AD"),
+        ("en", "Candidate 2 rejected: C_1 and C_2 do not lie on one side of AD"),
         ("zh", "候选解 2 舍去："),
     ):
         assert why in CliRunner().invoke(app, ["solve", "8-5", "--lang", lang]).stdout
