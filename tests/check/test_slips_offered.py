@@ -65,3 +65,11 @@ def test_a_square_in_a_unit_is_told_in_one_way_however_it_is_written(tmp_path: P
     path.write_text(f"phi1 [deg],alpha3 [{written}]\n" + "".join(f"{q},1.5\n" for q in range(0, 60, 10)), "utf-8")
     (found,) = read_header(read_sheet(path), given("A-16").mechanism, {}).columns
     assert found.unit is not None and (found.unit.name, found.unit.factor) == ("rad/s^2", 1.0)
+
+
+@pytest.mark.parametrize("written", ["m/s", "(m/s)", "m·s⁻¹", "m(s^-1)", "km(s^-1)"])
+def test_a_unit_is_read_with_and_without_brackets_in_it(tmp_path: Path, written: str) -> None:
+    path = tmp_path / "table.csv"
+    path.write_text(f"phi1 [deg],vE [{written}]\n" + "".join(f"{q},1.5\n" for q in range(0, 60, 10)), "utf-8")
+    (found,) = read_header(read_sheet(path), given("A-16").mechanism, {}).columns
+    assert found.unit is not None and found.unit.factor == (1e3 if written.startswith("k") else 1.0)
