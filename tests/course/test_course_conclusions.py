@@ -198,3 +198,10 @@ def test_a_rocker_between_drive_and_output_is_called_intermediate_and_the_output
     rocker, slider = (limits_and_ratio(it, stroke) for stroke in it.facts.strokes)
     assert rocker.en.startswith("Intermediate link 3: ") and rocker.zh.startswith("中间构件 3：")
     assert slider.en.startswith("The travel $s_{56}$") and slider.zh.startswith("$s_{56}$")
+
+
+@pytest.mark.parametrize("name", ["A-26", "B-24"])
+def test_the_lengths_that_are_tried_stand_whole_in_the_sentence_on_them(name: str) -> None:
+    told = [w.en for g in conditioning(studied(name)) for w in advice(studied(name), g)]
+    tried = [text.partition(" would raise")[0].rpartition(". ")[2] for text in told if " would raise" in text]
+    assert tried and all(re.fullmatch(r"(\$l_\{[A-Z]+\}\$ = )+[\d.]+ mm", one) for one in tried), tried

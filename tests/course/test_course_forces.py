@@ -29,11 +29,14 @@ from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
 from vecpoly.printed.digits import drawn_number
 from vecpoly.problem.load import load
+from vecpoly.report.content import Objects
 from vecpoly.report.course.analysis.force_words import one_sided, refusals, results, role_note
 from vecpoly.report.course.analysis.forces import conclusion, forces
 from vecpoly.report.course.analysis.stated import stated
 from vecpoly.report.course.checks import refused
 from vecpoly.report.course.modelling.forces import forces_group
+from vecpoly.report.course.modelling.formulas import chapter
+from vecpoly.report.course.numbering import Press
 from vecpoly.report.course.results.drawn_views import drawn_views
 from vecpoly.words import Words
 
@@ -193,6 +196,16 @@ def test_the_model_of_the_forces_is_a_section_of_its_own_with_the_friction_where
     assert [s.title.zh for s in without.stages] == ["惯性力", "平衡方程", "求解"]
     assert "ρ_C" in {c.symbol.replace("{", "").replace("}", "") for c in with_.constants}
     assert forces_group(studied("A-27")) is None
+
+
+@pytest.mark.parametrize("name", few(["4-5", "plate-two-slides", "4-7"], 2))
+def test_every_direction_of_a_load_in_the_equations_is_named_and_told_in_degrees(name: str) -> None:
+    it, group = studied(name), forces_group(studied(name))
+    assert group is not None
+    named = {c.symbol for c in group.constants if re.fullmatch(r"θ_\{[A-Z]\w*\}", c.symbol)}
+    assert named and all(f"${symbol}$" in group.opening.en and f"${symbol}$" in group.opening.zh for symbol in named)
+    constants = chapter(it, Press("en", Objects()))["groups"][-1]["constants"]
+    assert all(re.search(rf"{re.escape(symbol)}\$ = [−\d.]+°", constants) for symbol in named)
 
 
 def test_the_words_say_where_a_load_plays_the_other_part_and_by_which_quotient_the_efficiency_is() -> None:

@@ -28,6 +28,7 @@ from vecpoly.mechanism.groups.assur import pivot_of
 from vecpoly.oracle import solve
 from vecpoly.problem.load import load
 from vecpoly.report.content import Objects
+from vecpoly.report.course.machine.chapters import conclusion as concluded
 from vecpoly.report.course.machine.motion import conclusion
 from vecpoly.report.course.machine.powers import powers
 from vecpoly.report.course.machine.work import pieces
@@ -112,6 +113,26 @@ def test_surplus_and_deficit_alternate_and_leave_nothing_over_a_period(name: str
     assert sum(gains) == pytest.approx(0.0, abs=1e-9 * run.surplus)
     heights = [0.0, *(end for *_, end in parts)]
     assert max(heights) - min(heights) == pytest.approx(run.surplus, rel=1e-9)
+
+
+def test_a_stretch_from_a_gain_to_as_great_a_loss_is_one_too() -> None:
+    """E = sin ψ J: its second stretch falls from 1 J to −1 J."""
+    psi = np.linspace(0.0, 2 * np.pi, 100)
+    course = SimpleNamespace(
+        moments=np.cos,
+        works=np.sin,
+        sampled=lambda _: (psi, psi),
+        of_pieces=lambda of, at: of(at),
+        at=lambda of, q: of(q),
+    )
+    found = pieces(SimpleNamespace(of=course, surplus=2.0))  # type: ignore[arg-type]
+    assert [gain for _, _, gain, _ in found] == pytest.approx([1.0, -2.0, 1.0])
+
+
+def test_the_conclusion_tells_the_greatest_shaking_force_of_the_machine() -> None:
+    (said,) = concluded(studied(PRESS), machine(PRESS))
+    top = shaking_of(PRESS).force.highest
+    assert top is not None and f"maximum shaking force is {number(top.value, 4)} N" in said.en
 
 
 @pytest.mark.parametrize("name", few(MACHINES, 3))

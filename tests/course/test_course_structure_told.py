@@ -167,6 +167,13 @@ def test_loads_add_the_balancing_load_a_reaction_efficiency_and_friction_circles
     assert not {"$ρ$", "$η$"} & {row[0] for row in listed("A-27")}
 
 
+@each(("4-5", "4-7"))
+def test_friction_circles_are_told_where_pins_rub_and_nowhere_else(name: str) -> None:
+    loads = studied(name).problem.loads
+    assert loads is not None
+    assert ("$ρ$" in {row[0] for row in listed(name)}) == bool(loads.friction and loads.friction.pins)
+
+
 @each(SEVERAL)
 def test_no_two_joints_have_one_letter(name: str) -> None:
     mech = drawn(name).problem.mechanism

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 import vecpoly
@@ -155,3 +157,10 @@ method: curvature
 """
     with pytest.raises(NotAskedError, match="use construction: euler-savary"):
         vecpoly.loads(f"{text}construction: hartmann\nfind: [W_2]").solve()
+
+
+def test_what_is_written_as_an_example_can_be_asked() -> None:
+    with pytest.raises(ProblemFileError, match="no curvature is asked") as refused:
+        curved(FOUR_BAR, "p_C")
+    (find,) = re.findall(r"find: \[(.*)\]", refused.value.faults[0].words.en)
+    assert curved(FOUR_BAR, find).solve().answers.keys() == set(find.split(", "))

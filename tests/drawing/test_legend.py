@@ -9,18 +9,20 @@ import pytest
 
 from tests.drawn_library import drafted, drawn
 from tests.drawn_sheets import laid
-from vecpoly.board.construction import Figure, View
-from vecpoly.board.paper.marks import Mark, Vector, Weld
+from vecpoly.board.construction import Figure, Scale, View
+from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Vector, Weld
 from vecpoly.board.paper.tones import key_of, whose
 from vecpoly.drawing.hues import ink_of, is_hollow
 from vecpoly.drawing.legend.kinds import FOUND, KINDS, KNOWN
 from vecpoly.drawing.legend.legend import band, blocks, cells, entries
+from vecpoly.drawing.legend.letters import letters_met
 from vecpoly.drawing.legend.on_sheet import _inks, _sets, _with_blocks, with_legend
 from vecpoly.drawing.legend.vectors import _symbol, key_of_vectors
 from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke, TextBox, rect_of
 from vecpoly.drawing.sheets.sheet import Sheet
 from vecpoly.drawing.sheets.space import FRAME, STRIP, TALLEST
 from vecpoly.drawing.style import THIN, Hue
+from vecpoly.words import Words
 
 SOME = ("3-9", "5-1", "curv-10")  # a plate, bands, a block
 
@@ -176,3 +178,19 @@ def test_images_of_velocities_and_of_accelerations_are_shown_in_both_their_tints
         return len({item.hue for item in entry.sample if isinstance(item, Fill)})
 
     assert tints("velocity") == tints("acceleration") == 1 and tints("velocity", "acceleration") == 2
+
+
+@pytest.mark.parametrize(
+    ("view", "label", "told"),
+    [
+        (View.MECHANISM, "F", True),
+        (View.BODY, "R_{12}", True),
+        (View.MECHANISM, "v_{B}", False),
+        (View.FORCE, "R_{12}", False),
+    ],
+)
+def test_an_arm_is_one_of_a_force_where_a_force_acts_on_a_body(view: View, label: str, told: bool) -> None:
+    marks = (Vector(a=0j, b=10 + 0j, label=label, role=Role.RESULT), Point(at=5j, label="h", dot=Dot.NONE))
+    figure = Figure(view=view, title=Words.same("t"), scale=Scale(symbol="μ", value=1.0, unit="N"), marks=marks)
+    words = [one.words.en for one in letters_met([figure], "en")]
+    assert words == ["arm of a force"] * told

@@ -297,3 +297,11 @@ def test_the_number_of_a_class_is_a_chinese_character_in_running_text_and_in_a_t
     assert Kind.WORD not in kinds and joined(cells("含 Ⅲ 级", 10.0, True), 10.0).width == pytest.approx(30.0)
     fonts = {item.font for item in layout_words("含Ⅲ级", 10.0, True).items if isinstance(item, Glyphs)}
     assert len(fonts) == 1
+
+
+@pytest.mark.parametrize("node", [Root(row("a^2 + b^2")), Frac(sym("v_B"), sym("l_AB")), Power(sym("ω_1"), "2")])
+def test_a_formula_in_larger_type_is_the_same_formula_enlarged(node: Node) -> None:
+    small, large = layout(node, EM), layout(node, 2.5 * EM)
+    pairs = zip(small.items, large.items, strict=True)
+    assert all((b.x, b.y) == pytest.approx((2.5 * a.x, 2.5 * a.y)) for a, b in pairs)
+    assert (large.width, large.height) == pytest.approx((2.5 * small.width, 2.5 * small.height))

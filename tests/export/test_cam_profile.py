@@ -17,6 +17,7 @@ from vecpoly.errors import NoMethodError
 from vecpoly.export.cams.drawing import cam_dxf, tolerance
 from vecpoly.export.cams.profile import profile_of
 from vecpoly.export.cams.table import cam_csv
+from vecpoly.foundation.slotted import replace
 from vecpoly.oracle.devices.cams.shape import profile
 from vecpoly.problem.load import load, loads
 
@@ -92,3 +93,13 @@ def test_no_point_of_the_drawing_stands_there_twice(name: str) -> None:
     spots = [complex(one.dxf.location.x, one.dxf.location.y) for one in space.query("POINT")]
     assert len(spots) > 355
     assert min(abs(spot - before) for spot, before in zip(spots, [spots[-1], *spots], strict=False)) > 1e-6
+
+
+@pytest.mark.parametrize("at", [1, 31])
+def test_the_tolerance_is_told_for_the_point_that_its_spline_passes_farthest(at: int) -> None:
+    made = profile_of(load("cam-roller-offset"))
+    for n, fine in enumerate(made.between):
+        edge = fine.edge.copy()
+        edge[at] *= 1 + 0.2 / abs(edge[at])  # mm, outwards
+        off = replace(made, between=(*made.between[:n], replace(fine, edge=edge), *made.between[n + 1 :]))
+        assert 0.15 < tolerance(off) < 0.201

@@ -25,7 +25,9 @@ from vecpoly.drawing.cleared import cleared
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.errors import VecpolyError
 from vecpoly.export.dxf.document import figure_dxf, library, sheet_dxf
+from vecpoly.foundation.slotted import replace
 from vecpoly.solution import Solution
+from vecpoly.words import Words
 
 SEVERAL = ("3-9", "3-12", "4-3a", "5-2", "geared-five-bar")
 CLOSE = 1e-9
@@ -197,3 +199,13 @@ def test_angles_have_the_rays_that_they_have_on_paper() -> None:
     pivot = next(mark.at for mark in figure.marks if isinstance(mark, AngleMark) and mark.label.startswith("ψ"))
     rays = [ends for ends in lines(read(figure_dxf(figure)), "centre") if abs(ends[0] - pivot) < CLOSE]
     assert rays and all((end - start).imag == pytest.approx(0.0, abs=CLOSE) for start, end in rays)
+
+
+def test_a_sheet_that_is_drawn_under_an_alarm_has_it_in_red_in_the_file_too() -> None:
+    (sheet, *_) = sheets(solved("5-2").construction, title=solved("5-2").problem.title)
+    told, plain = (
+        {(one.dxf.text, one.dxf.true_color) for one in read(sheet_dxf(page)).modelspace().query("TEXT")}
+        for page in (replace(sheet, warning=Words("不可用", "of no use")), sheet)
+    )
+    ((text, colour),) = told - plain
+    assert text == "不可用" and colour >> 16 > 128 and not colour & 0xFFFF, "red, no green, no blue"

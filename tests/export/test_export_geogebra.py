@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections import defaultdict
 from dataclasses import replace
 from functools import cache
 from math import degrees
@@ -211,6 +212,16 @@ def test_labels_are_given_once_and_before_they_are_used() -> None:
     for problem in few(SEVERAL, 9):
         labels = [one.get("label") for one in construction(exported(problem)) if one.tag == "element"]
         assert len(labels) == len(set(labels))
+
+
+def test_letters_at_one_place_are_written_on_different_sides_of_it() -> None:
+    known, sides = evaluated(exported("3-9")), defaultdict(list)
+    for one in construction(exported("3-9")).iterfind("element[@type='point']"):
+        if one.find("show[@label='true']") is not None:
+            off, at = one.find("labelOffset"), known[one.get("label", "")]
+            sides[round(at.real, 6), round(at.imag, 6)].append(None if off is None else (off.get("x"), off.get("y")))
+    several = [some for some in sides.values() if len(some) > 1]
+    assert several and all(len(set(some)) == len(some) for some in several)
 
 
 def test_equal_drawings_are_equal_files() -> None:

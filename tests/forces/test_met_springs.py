@@ -40,5 +40,5 @@ def test_over_a_cycle_the_places_beside_it_are_found() -> None:
 
 @pytest.mark.parametrize("ends", ["B1-B2", "C3-C2"])
 def test_a_spring_on_one_pin_is_refused_on_reading(ends: str) -> None:
-    with pytest.raises(VecpolyError, match="are both at"):
+    with pytest.raises(VecpolyError, match=f"{ends[:2]} and {ends[3:]} are both at {ends[0]},"):
         loads(MEETING.replace("SPRING", f"spring: {ends}, k: 2 N/mm, l_0: 50 mm"))

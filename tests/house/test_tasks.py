@@ -28,7 +28,7 @@ from vecpoly.errors import NoMethodError, NotAskedError, UnknownNameError
 from vecpoly.figures import View, kind, register, scales, view_named, views
 from vecpoly.methods.drawing import drawing_of, draws
 from vecpoly.player.page import player
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
 from vecpoly.record import from_json, to_json
 from vecpoly.solution import Solution, solve
@@ -196,3 +196,18 @@ def test_what_is_drawn_or_known_of_one_sort_is_on_file_once() -> None:
         draws(Press)(PressDrawing)
     with pytest.raises(ValueError, match="two truths"):
         knows(Press)(PressTruth)
+
+
+def test_a_scale_to_the_right_that_many_figures_have_is_of_one_that_is_drawn() -> None:
+    own = {view.mu.key for view in views()}
+    across = [view for view in views() if view.across is not None and view.across.key not in own]
+    assert len({view.across for view in across}) < len(across)
+    for view in across:
+        assert view.across is not None
+        task = task_of(problem(*MOMENTS, scales={view.across.key: 0.05}))
+        assert task.given({view}) == (view,), view.name
+
+
+def test_of_a_machine_moments_have_a_sense_and_the_extremes_of_its_speed_none() -> None:
+    task = task_of(loads(load("press-flywheel").text.replace("phi_max", "omega_max")))
+    assert "omega_max" in task.asked and {key for key, rel in task.asked.items() if task.turns(rel)} == {"M_e", "M_d"}

@@ -135,6 +135,14 @@ def test_a_method_that_draws_something_else_is_found_out(
     assert "v_{E}" in solution.construction.warning.zh and "v_{E}" in solution.construction.warning.en
 
 
+@pytest.mark.parametrize("by", ["exact", "pencil"])
+def test_where_there_is_an_alarm_it_is_the_same_hand_that_draws(spoilt: Callable[[Spoil], None], by: str) -> None:
+    """What was solved in haste is solved again with care."""
+    spoilt(lambda v: 1.2 * v)
+    solution = solve(load("3-9"), by=by, repeats=0, precise=False)
+    assert solution.suspect and solution.construction.hand == by
+
+
 def test_the_alarm_is_a_flag_in_the_json_and_an_exit_code(spoilt: Callable[[Spoil], None], tmp_path: Path) -> None:
     spoilt(lambda v: 1.2 * v)
     run = CliRunner().invoke(app, ["solve", "3-9", "--json", str(tmp_path / "a.json")])

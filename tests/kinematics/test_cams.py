@@ -13,6 +13,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.at_once import scaled
+from tests.each import each
 from tests.laws import often
 from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.board import Board
@@ -349,6 +350,15 @@ def test_the_diagram_of_a_cam_shows_profile_base_circle_normal_and_the_dashed_su
     assert labels.count("n") == 2 and labels.count("K") == 1
     bars = [m for m in figure.marks if isinstance(m, Segment) and m.role is Role.LINK]
     assert [abs(m.b - m.a) for m in bars] == pytest.approx([0.150 * mm]), "the lever alone is a bar"
+
+
+@each(("4-5", "3-1c", "D-3"))
+def test_no_sentence_and_no_letter_names_the_block_that_is_only_thought(name: str) -> None:
+    there = load(name).solve(by="exact")
+    thought = [link for link in there.problem.mechanism.substitutes if link.startswith("pin")]
+    labels = [getattr(mark, "label", "") for figure in there.construction.figures for mark in figure.marks]
+    told = " ".join((*(step.words.zh + step.words.en for step in there.construction.steps), *labels))
+    assert thought and not [link for link in thought if link.lower() in told.lower()]
 
 
 @pytest.mark.parametrize("problem", [round_tappet(), flat_tappet()])

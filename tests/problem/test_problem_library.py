@@ -55,6 +55,11 @@ def test_every_file_loads_with_both_languages_and_something_to_find(name: str) -
 
 
 @each(IDS)
+def test_every_number_that_is_given_is_told_with_its_symbol_or_in_words(name: str) -> None:
+    assert all(datum.symbol or datum.words for datum in problem_of(name).given.data)
+
+
+@each(IDS)
 def test_the_cheap_head_tells_the_title_of_the_file(name: str) -> None:
     assert TITLES[name] == problem_of(name).title
 

@@ -42,3 +42,11 @@ def test_links_without_a_joint_do_not_act_on_each_other(written: str, links: tup
     (fault,) = refused.value.faults
     assert f"no joint joins links {links[0]} and {links[1]}" in fault.words.en and there in fault.words.en
     assert f"构件 {links[0]} 与构件 {links[1]} 之间没有运动副" in fault.words.zh and fault.path == ("find", 0)
+
+
+@pytest.mark.parametrize("name", ["boom-thrust", "planetary-reactions"])
+def test_where_nothing_is_asked_it_is_the_load_and_what_reactions_can_be_drawn_from_some_link(name: str) -> None:
+    unasked = loads(f"id: mine\nextends: {name}\nfind: null\n")
+    assert unasked.loads is not None
+    load, *reactions = (ask.rel.key for ask in unasked.asks)
+    assert load == unasked.loads.unknown.name and reactions and all(key.startswith("R_") for key in reactions)

@@ -37,3 +37,11 @@ def test_inches_are_read() -> None:
 def test_one_over_a_second_is_told_to_lack_its_angle() -> None:
     with pytest.raises(FaultError, match=r"its unit '1/s' is without an angle; write e\.g\. 10 rad/s ccw"):
         read("5 1/s", Dim.OMEGA)
+
+
+@pytest.mark.parametrize("unit", ["rad/s**2", "kg*m**2"])
+@pytest.mark.parametrize("letter", ["q", "x"])
+def test_a_unit_with_a_wrong_letter_is_answered_with_the_right_one_with_its_power(unit: str, letter: str) -> None:
+    with pytest.raises(FaultError) as refused:
+        unit_of(letter + unit[1:])
+    assert f"did you mean '{unit.replace('**', '^')}'?" in refused.value.words.en

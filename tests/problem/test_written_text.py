@@ -8,6 +8,7 @@ from vecpoly.errors import ProblemFileError
 from vecpoly.problem.load import loads
 from vecpoly.problem.text.narrow import narrowed
 from vecpoly.problem.text.source import parse
+from vecpoly.problem.values.written import text_of
 
 CHINESE = """id：wide
 title：｛zh：曲柄滑块，机构：一，en：Slider-crank｝
@@ -118,3 +119,14 @@ def test_what_is_no_yaml_is_told_in_words_where_the_mistake_is(case: str) -> Non
     assert fault.place is not None and (fault.place.line, fault.place.column) == (line, column), str(caught.value)
     assert en in str(caught.value) and zh in caught.value.words.zh
     assert not any(word in str(caught.value) for word in ("mapping values", "block end", "flow", "scalar", "token"))
+
+
+def test_a_problem_is_written_with_a_line_for_every_key_and_one_for_every_link_and_load() -> None:
+    title, links = {"zh": "题", "en": "a problem"}, {"1": {"AB": "40 mm"}, "2": {"BC": "100 mm"}}
+    written = text_of({"id": "t", "title": title, "links": links, "find": ["v_C"]}).splitlines()
+    assert [line.partition(":")[0] for line in written] == ["id", "title", "links", "  1", "  2", "find"]
+
+
+def test_keys_of_which_nothing_is_said_are_written_as_they_stand() -> None:
+    for key in ("links", "loads", "masses", "friction"):
+        assert text_of({"id": "t", key: None}).splitlines()[1] == f"{key}: null"

@@ -11,14 +11,14 @@ from hypothesis import strategies as st
 
 from tests.laws import often
 from tests.texts import ZH, equation
-from vecpoly.algebra.formula import Row, Txt, sym
+from vecpoly.algebra.formula import Row, Txt, row, sym
 from vecpoly.report.flow import DataTable, EquationFlow, Para
 from vecpoly.report.flow.cells import NO_END, NO_START, Cell, Kind, cells, gap
 from vecpoly.report.flow.formula import lines as formula_lines
 from vecpoly.report.flow.lines import fit
 from vecpoly.report.flow.results.grid import sentence
 from vecpoly.report.flow.text.breaks import Line, break_lines
-from vecpoly.typeset.box import MM
+from vecpoly.typeset.box import MM, Glyphs
 
 EM = 10.5 / MM
 
@@ -162,3 +162,10 @@ def test_a_long_address_breaks_after_a_stroke() -> None:
 @given(st.lists(st.text("abcdefgh", min_size=1, max_size=9), min_size=5, max_size=60), st.floats(40.0, 120.0))
 def test_a_sentence_in_the_box_of_answers_stays_within_its_frame(words: list[str], room: float) -> None:
     assert max(box.width for box in sentence(" ".join(words), EM, room, False)) <= room + 1e-6
+
+
+@pytest.mark.parametrize("width", [25.0, 40.0, 60.0])
+def test_a_sum_without_a_relation_is_broken_before_its_signs(width: float) -> None:
+    broken = formula_lines(row(" + ".join("ABCDEFGHIJKLMN")), EM, width)
+    first, *later = ("".join(one.text for one in box.items if isinstance(one, Glyphs)) for _, box in broken)
+    assert later and first.startswith("A") and all(line.startswith("+") for line in later)

@@ -37,6 +37,13 @@ def test_what_is_answered_by_yes_or_no_is_asked_without_its_criterion(name: str)
         assert not CRITERION.search(asked(solution, lang))
 
 
+@pytest.mark.parametrize(("name", "acted_on"), [("3-10", False), ("4-7", True)])
+def test_a_sketch_has_the_inks_of_the_solution_where_it_shows_what_they_tell_apart(name: str, acted_on: bool) -> None:
+    one = solved(name)
+    figure = sketched(one.problem, one.construction, 120.0, 70.0)
+    assert figure is not None and one.construction.tones and bool(figure.tones) is acted_on
+
+
 def test_a_chain_that_is_judged_by_its_lengths_is_sketched_as_one() -> None:
     """Its lengths laid off one behind the other would tell which are added up."""
     one = solved("8-1")

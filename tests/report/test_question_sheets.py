@@ -282,6 +282,7 @@ def test_squares_that_a_page_break_parts_take_no_more_room_than_they_were_given(
         first, rest = whole.split(COLUMN, room)
         assert first.wrap(COLUMN, room)[1] <= room + 0.02
         assert (first.getSpaceBefore(), rest.getSpaceAfter()) == (whole.getSpaceBefore(), whole.getSpaceAfter())
+        assert (first.getSpaceAfter(), rest.getSpaceBefore()) == (0.0, 0.0)
 
 
 _TONGUES: tuple[Lang, ...] = ("zh", "en")

@@ -11,7 +11,7 @@ from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
 from vecpoly.algebra.formula import Row, plain
 from vecpoly.algebra.rounding import read_back
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 from vecpoly.report.answers.checks import check_tables, checked
 from vecpoly.report.answers.notes import stands_still
 from vecpoly.report.answers.verdict import verdict_of
@@ -125,6 +125,12 @@ def test_what_is_ill_conditioned_is_named_and_to_be_computed() -> None:
         "$P_{24}$ (±21.9 mm) and $P_{46}$ (±12.7 mm) are ill-conditioned in the drawing: take the computed values."
     )
     assert "ill-conditioned" not in verdict_of(solve(load("3-9")), "en")
+
+
+@pytest.mark.parametrize(("asked", "told"), [("P_24", True), ("P_13", False)])
+def test_a_value_that_was_read_alone_has_a_verdict_where_it_is_ill_conditioned(asked: str, told: bool) -> None:
+    said = verdict_of(solve(loads(f"id: one\nextends: 3-1d\nfind: [{asked}]\n")), "en")
+    assert ("$P_{24}$ (±22 mm) is ill-conditioned" in said) is told and bool(said) is told
 
 
 def test_a_deviation_that_is_larger_than_expected_is_told() -> None:

@@ -38,10 +38,12 @@ def test_the_output_of_the_six_bar_swings_as_the_general_solver_has_it(seed: int
     good = np.argsort(DWELL.score(x))[:1]
     for row in x[good]:
         assert np.isfinite(DWELL.score(row[None, :])).all()
-        ripple, swing, _ = (float(one[0]) for one in DWELL._output(row[None, :]))
-        told = {
-            one.name.en: one.value for one in DWELL.measured(problem({"id": "a", "title": "a", **DWELL.built(row)}))
-        }
+        ripple, swing, gamma = (float(one[0]) for one in DWELL._output(row[None, :]))
+        built = problem({"id": "a", "title": "a", **DWELL.built(row)})
+        told = {one.name.en: one.value for one in DWELL.measured(built)}
+        turn = cycle(built, 721)
+        least = np.arcsin(np.abs(np.sin(turn.real("phi_4") - turn.real("phi_5"))).min())
+        assert least - 1e-3 < gamma < least + 0.1
         assert told["worst off the dwell"] == pytest.approx(ripple / 2, rel=0.05, abs=0.02)
         assert told["swing"] == pytest.approx(swing, rel=0.02, abs=0.05)
 

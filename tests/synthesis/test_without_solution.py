@@ -10,9 +10,11 @@ import pytest
 from typer.testing import CliRunner
 
 import vecpoly
+from tests.grading.cases import TWO_SOLUTIONS
 from tests.laws import few
 from vecpoly.board.paper.marks import Role, Segment
 from vecpoly.check.designs.admissible import admissible
+from vecpoly.check.truth import exact_values
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import REFUSED, UNSOLVABLE
 from vecpoly.designs.admitted import between
@@ -218,3 +220,9 @@ def test_commands_write_their_sheets_and_end_with_a_code_of_their_own(lang: str,
         assert not end or path.stat().st_size > 1000
     gone_on = run(app, ["solve", str(file), "--then", "analyse"])
     assert gone_on.exit_code == REFUSED and "all candidates" in gone_on.output
+
+
+def test_a_solution_that_is_asked_for_beyond_those_there_are_is_refused_with_how_many_there_are() -> None:
+    with pytest.raises(NotAskedError, match="BC_3: there are only 2 valid solutions") as refused:
+        exact_values(vecpoly.loads(TWO_SOLUTIONS.replace("[BC, AD]", "[BC_3]")))
+    assert refused.value.code == "no-solution" and refused.value.numbers == {"solutions": 2}

@@ -6,7 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.drawn_library import drawn
 from vecpoly.algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec, row
+from vecpoly.board.construction import View
+from vecpoly.report.plates.shown import shown
 from vecpoly.tagging.copied import copied
 from vecpoly.tagging.speech import equation_said, said, spoken, words_said
 from vecpoly.tagging.units_said import unit_said
@@ -82,3 +85,10 @@ def test_every_formula_is_said_in_its_own_language_without_a_sign(node: Node) ->
 def test_words_in_a_subscript_and_a_question_are_read_as_words() -> None:
     assert spoken("ω_{max}", "en") == "omega sub max" and spoken("W_{bII}", "zh") == "W 下标 b II"
     assert words_said("Is it undercut? $x$ = ?", "en") == "Is it undercut? x = unknown"
+
+
+def test_a_figure_is_told_with_the_letters_of_its_points_as_they_are_read_out() -> None:
+    figure = drawn("3-9").construction.figure(View.VELOCITY)
+    assert figure is not None
+    assert shown(figure, "en").endswith("points: b, p, c sub 2, d, e")
+    assert shown(figure, "zh").endswith("点：b、p、c 下标 2、d、e")

@@ -58,6 +58,11 @@ def test_values_along_one_range_fill_it_sooner_than_chance_would() -> None:
     assert 5 <= room(along, 3.0, 300) <= 11
 
 
+def test_room_depends_on_how_far_values_are_apart_and_not_on_how_large_they_are() -> None:
+    along = [*range(0, 31, 3), *range(1, 31, 3)]
+    assert room(keys(*(1000.0 + one for one in along)), 3.0, 300) == room(keys(*along), 3.0, 300)
+
+
 def test_a_class_far_larger_than_its_ranges_can_tell_apart_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
     with pytest.raises(VecpolyError, match=r"about \d+ of 20 students can be told apart"):
         made(tmp_path / "hw", people(range(20)), TRAIN)

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import combinations
 
+import pytest
+
+from tests.each import each
 from tests.grading.drawings.made import APART, changed, drawn, key_of, marked
-from vecpoly.grading.drawings.expected import Expected
+from vecpoly.grading.drawings.expected import NOTHING, Expected
 from vecpoly.grading.drawings.judging.mark import DrawingMark, Verdict
+from vecpoly.grading.drawings.matching.naming import named
 from vecpoly.grading.drawings.segment import Drawing, Label, Segment
 
 
@@ -69,3 +74,15 @@ def test_a_polygon_in_a_mirror_beside_an_upright_diagram_of_which_a_line_is_miss
     lines = tuple(over(one) if one.where.startswith("velocity") else one for one in made.segments if one is not frame)
     mark = marked(key_of("3-9"), replace(made, segments=lines))
     assert not mark.mirrored and mark["velocity"].mirrored
+
+
+@each(("3-9", "boom-thrust"))
+def test_each_place_of_a_figure_is_one_with_all_its_letters(name: str) -> None:
+    for shape in key_of(name).exact.shapes:
+        spots = [one.at for one in shape.vertices]
+        assert all(abs(a - b) > NOTHING for a, b in combinations(spots, 2)), shape.name
+
+
+@pytest.mark.parametrize("name", ["R_41", "F_41", "F41", "f41"])
+def test_a_reaction_is_found_by_its_name_whether_it_begins_with_r_or_f(name: str) -> None:
+    assert named(name, "", key_of("boom-thrust").exact.shapes) == ("force 1", "R_41")
