@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from itertools import combinations
 from math import degrees
 
 from tests.drawn_library import IDS, drawn, given, ids
 from tests.each import Later, each
-from vecpoly.board.paper.marks import AngleMark, Ground
+from vecpoly.board.paper.marks import AngleMark, Ground, Point
 from vecpoly.designs.base import Design
 
 NUMBERED = re.compile(r"= *−?(\d+(?:\.(\d+))?)°")
@@ -52,3 +53,12 @@ def test_every_ground_on_the_sheet_is_that_of_a_pivot_of_a_candidate(name: str) 
     pins = [at for one in construction.candidates for at in one.pins.values()]
     for mark in (one for one in construction.figures[0].marks if isinstance(one, Ground)):
         assert any(abs(mark.at - at) < 1e-6 for at in pins), mark
+
+
+@each(Later(lambda: (name for name in dict.fromkeys((*IDS, *LIMITS)) if drawn(name).construction.candidates)))
+def test_every_pin_of_a_candidate_has_a_place_of_its_own_with_a_letter_on_the_sheet(name: str) -> None:
+    construction = drawn(name).construction
+    lettered = [mark.at for mark in construction.figures[0].marks if isinstance(mark, Point) and mark.label]
+    for pins in ([*one.pins.values()] for one in construction.candidates):
+        assert all(any(abs(at - other) < 1e-6 for other in lettered) for at in pins)
+        assert all(abs(at - other) > 1e-3 for at, other in combinations(pins, 2))
