@@ -45,6 +45,7 @@ def test_the_couple_of_a_force_brought_near_turns_as_the_force_does_about_the_bl
     )
     solution = solve(loads(text), by="exact", repeats=0, precise=False)
     problem = solution.problem
+    assert problem.loads is not None
     exact, block = forces(problem.mechanism, problem.loads), oracle.solve(problem.mechanism, order=0).position("K")
     (body,) = (one for one in solution.construction.figures if one.view is View.BODY and one.name == "5")
     turning = {mark.label: mark.ccw for mark in body.marks if isinstance(mark, TurnArrow)}

@@ -12,8 +12,8 @@ from vecpoly.board.paper.marks import AngleMark, Ground, Point
 from vecpoly.designs.base import Design
 
 NUMBERED = re.compile(r"= *−?(\d+(?:\.(\d+))?)°")
-DESIGNS = Later(lambda: (name for name in dict.fromkeys((*IDS, *LIMITS)) if isinstance(given(name).subject, Design)))
 LIMITS = ("8-3a", "8-3b", "8-3c", "8-17", "8-18")  # angles that are read in a given mechanism
+DESIGNS = Later(lambda: (name for name in dict.fromkeys((*IDS, *LIMITS)) if isinstance(given(name).subject, Design)))
 
 
 @each(Later(lambda: dict.fromkeys((*ids(mechanisms=False), *LIMITS))))
