@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cmath import rect
 from math import cos, radians, sin, sqrt
 from typing import Any
 
@@ -10,9 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.cam_cases import device
+from tests.cam_cases import device, drawn
 from tests.laws import often
 from tests.rotor_cases import CASES, agree
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import Disc, Role, Segment
 
 TOLD = CASES["A19"]
 NEAR = 5e-9  # the case is told to nine digits
@@ -100,3 +103,18 @@ def test_the_hodograph_of_no_counterweight_lies_along_the_cylinder() -> None:
 def test_engines_that_cannot_be_are_refused(more: dict[str, str], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         engine(**more)
+
+
+@pytest.mark.parametrize("at", [0, 60, 150, 235])
+def test_the_sketch_has_the_crank_at_its_angle_the_rod_at_its_length_and_the_counterweight_opposite(at: int) -> None:
+    figure = drawn(engine(at=f"{at} deg")).figure(View.MECHANISM)
+    assert figure is not None
+    rods = {
+        mark.owner: mark.b - mark.a for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.LINK
+    }
+    crank, rod, (weight,) = rods["link 1"], rods["link 2"], (m.centre for m in figure.marks if isinstance(m, Disc))
+    assert crank / abs(crank) == pytest.approx(rect(1.0, radians(at)))
+    assert (crank + rod).imag == pytest.approx(0.0, abs=1e-9) and rod.real > 0
+    told = TOLD["inputs"]
+    assert abs(rod) / abs(crank) == pytest.approx(told["l_mm"] / told["r_mm"])
+    assert weight / crank == pytest.approx(-told["counterweight_r_mm"] / told["r_mm"])

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import cmath
 from math import pi, sqrt
 
 import numpy as np
 import numpy.typing as npt
 import pytest
+import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -19,6 +21,7 @@ from vecpoly.board.otherwise.slip import Mistake, Slip
 from vecpoly.board.paper.marks import Hatched
 from vecpoly.figures import view_named
 from vecpoly.foundation.frozen import FrozenMap
+from vecpoly.methods.diagrams.lobes import middle_of
 from vecpoly.plane import Reals, around, nominal, shoelace
 from vecpoly.plane.traced import bare
 from vecpoly.words import Words
@@ -109,3 +112,21 @@ def test_who_counts_a_touch_as_a_crossing_goes_on_with_the_wrong_sign(crosses: b
     sheet = board()
     sheet.judged(TORQUE, "c", crosses=crosses)
     assert isinstance(sheet.acts[-1], Judge) and sheet.acts[-1].crosses is crosses
+
+
+OUTLINES = {
+    "a bar": [0j, 40 + 0j, 40 + 20j, 20j],
+    "a triangle": [0j, 30 + 0j, 15 + 26j],
+    "an L": [0j, 60 + 0j, 60 + 6j, 14 + 6j, 14 + 40j, 40j],
+    "a comb": [0j, 50 + 0j, 50 + 30j, 40 + 30j, 40 + 5j, 30 + 5j, 30 + 30j, 20 + 30j, 20 + 5j, 12 + 5j, 12 + 30j, 30j],
+}
+
+
+@pytest.mark.parametrize("name", OUTLINES)
+@pytest.mark.parametrize("size", [0.2, 1.0, 3.0])
+def test_the_letter_of_an_area_stands_where_there_is_most_room(name: str, size: float) -> None:
+    outline = [corner * size * cmath.rect(1.0, 0.3) for corner in OUTLINES[name]]
+    area, at = shapely.Polygon([(z.real, z.imag) for z in outline]), middle_of(outline)
+    spot = shapely.Point(at.real, at.imag)
+    widest = shapely.maximum_inscribed_circle(area).length  # its radius
+    assert area.contains(spot) and area.exterior.distance(spot) > 0.75 * widest

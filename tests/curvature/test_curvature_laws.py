@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -130,3 +132,20 @@ def test_a_sum_of_chords_is_told_with_the_letters_of_one_chord_and_no_bar_over_t
     (fixed,) = (line for line in lines if line.startswith("L_f2"))
     assert "ΣQ_k Q_k+1 = " in fixed
     assert plain(Over(Txt("Q"), summed=True)) == "ΣQ" and said(Over(Txt("Q"), summed=True), "en").startswith("the sum")
+
+
+SLIDING = {"AB": 30, "phi": 50, "points": {"E1": [20, 30], "E2": [60, -20]}}
+AT_INFINITY = {
+    "a rod through a block: of the moving centre": (SLIDING | {"C_at": [80, 0]}, "过 $E$ 所作该法线的平行线"),
+    "a slider-crank: of the fixed centre": (SLIDING | {"BC": 90, "guide_y": 0}, "作该法线的平行线"),
+}
+
+
+@pytest.mark.parametrize("name", AT_INFINITY)
+def test_in_place_of_a_centre_at_infinity_a_parallel_is_told_in_the_reader_s_language(name: str) -> None:
+    case, parallel = AT_INFINITY[name]
+    steps = case_problem(case, find=("p_OE", "p_OF")).solve(by="exact").construction.steps
+    plain_zh = [re.sub(r"\$[^$]*\$", "", step.words.zh) for step in steps]
+    assert not [told for told in plain_zh if re.search(r"[A-Za-z]{3}", told)]
+    (told,) = (step.words for step in steps if parallel in step.words.zh)
+    assert "the parallel to that normal through $" in told.en

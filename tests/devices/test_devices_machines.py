@@ -19,7 +19,7 @@ from tests.laws import often
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.hand import hand
-from vecpoly.board.paper.marks import Cell, TurnArrow, Vector
+from vecpoly.board.paper.marks import Cell, Disc, Outline, TurnArrow, Vector
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
 from vecpoly.devices.base import Device, kind_of
@@ -524,3 +524,12 @@ def test_a_fault_in_a_problem_file_is_told_at_its_line(tmp_path: Path) -> None:
     path.write_text(text, encoding="utf-8")
     with pytest.raises(ProblemFileError, match="D = 10 mm is the outer diameter"):
         vecpoly.load(path)
+
+
+def test_the_workpiece_under_a_clamp_stands_and_the_disc_does_not() -> None:
+    figure = drawn(clamp()).figure(View.MECHANISM)
+    assert figure is not None
+    bodies = {mark.owner: mark for mark in figure.marks if isinstance(mark, Outline | Disc)}
+    work = bodies["link 2"]
+    assert isinstance(work, Outline) and work.fixed
+    assert all(not body.fixed for owner, body in bodies.items() if owner != "link 2" and isinstance(body, Outline))

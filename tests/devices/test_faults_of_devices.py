@@ -94,3 +94,15 @@ def test_a_key_of_the_problem_that_is_extended_is_told_with_its_file(tmp_path: P
     assert "data.d, data.d1 (" in fault.words.en and "base.yaml, line 4, column 8): d = 18 mm" in fault.words.en
     (other,) = fault.as_json()["beside"]
     assert (other["path"], other["line"], other["column"]) == ("data.d1", 4, 8) and other["file"].endswith("base.yaml")
+
+
+@pytest.mark.parametrize(
+    ("kind", "written", "key"),
+    [
+        ("flywheel", "areas: [320, -320] | mu_A: 1 J/mm^2 | period: 360 deg | n: 600 r/min | delta: 0.02", "period"),
+        ("flywheel", "areas: [320, -320] | mu_A: 1 J/mm^2 | n: 600 r/min | J: 9 kg*m^2 | shaft: 2 kg*m^2", "shaft"),
+    ],
+)
+def test_a_key_that_belongs_to_others_is_told_at_its_own_line(kind: str, written: str, key: str) -> None:
+    fault, lines = fault_of(kind, written)
+    assert fault.path == ("data", key) and fault.place and fault.place.line == lines[key]

@@ -13,12 +13,15 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from tests.cam_cases import agree, drawn
+from tests.drawn_library import drawn as of_library
 from tests.flywheels import CASES, pairs, rimmed, two_stroke, wheel
 from tests.laws import often
 from vecpoly import slips
 from vecpoly.board.acts import Area, Way
 from vecpoly.board.otherwise.slip import Mistake
+from vecpoly.board.paper.marks import Segment, Vector
 from vecpoly.errors import FaultError, ProblemFileError, UnknownNameError
+from vecpoly.figures.torque import TORQUE
 from vecpoly.grading.derive.keyed import answer_key
 from vecpoly.grading.student import check_answers
 from vecpoly.oracle.devices.registry import device_answers
@@ -287,3 +290,12 @@ def test_a_graded_sheet_knows_the_areas_and_names_degrees_for_radians() -> None:
 def test_beside_exact_energies_the_swing_is_told_to_be_read(name: str, difference: str) -> None:
     remark = solve(load(name)).answers["dW_max"].reading.remark
     assert remark is not None and difference in remark.en and remark.en.startswith("read off the bar")
+
+
+@pytest.mark.parametrize("name", ["7-4", "7-5", "7-6"])
+def test_the_axes_of_a_diagram_reach_a_little_beyond_its_curves(name: str) -> None:
+    for figure in (one for one in of_library(name).construction.figures if one.view is TORQUE):
+        across, up = (mark.b for mark in figure.marks if isinstance(mark, Vector) and not mark.label)
+        ends = [end for mark in figure.marks if isinstance(mark, Segment) for end in (mark.a, mark.b)]
+        assert across.imag == 0 and 5 < across.real - max(end.real for end in ends) < 15, figure.name
+        assert up.real == 0 and 5 < up.imag - max(end.imag for end in ends) < 15, figure.name

@@ -8,9 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.cam_cases import agree, device
+from tests.cam_cases import agree, device, drawn
 from tests.flywheels import CASES
 from tests.laws import often
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import TurnArrow
 from vecpoly.devices.base import Device
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load
@@ -125,3 +127,13 @@ BRAKED: dict[str, Any] = {
 def test_what_is_no_train_or_does_not_move_is_refused_with_its_numbers(data: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         train(**data)
+
+
+def test_a_moment_that_drives_and_one_that_resists_on_the_same_shaft_have_an_arrow_each() -> None:
+    both = {"1": {"J": "0.1 kg*m^2", "drives": "80 N*m", "resists": "9 N*m"}, "2": {"J": "0.2 kg*m^2"}}
+    for pairs in (["1 to 2 by 20/90"], ["1 to 2 by 90/20"]):
+        figure = drawn(train(shafts=both, pairs=pairs)).figure(View.MECHANISM)
+        assert figure is not None
+        arrows = {mark.label: mark for mark in figure.marks if isinstance(mark, TurnArrow)}
+        one, two = arrows["M_{d1}"], arrows["M_{r1}"]
+        assert one.at == two.at and one.ccw is not two.ccw and abs(one.radius - two.radius) > 3  # mm: a row of letters

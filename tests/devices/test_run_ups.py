@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.cam_cases import agree, device
+from tests.cam_cases import drawn as paper
 from tests.drawn_library import drawn
 from tests.flywheels import CASES
 from tests.laws import few, often
@@ -238,3 +239,15 @@ def test_the_unit_stands_behind_the_letter_of_an_axis_and_at_none_of_its_numbers
     (figure,) = (one for one in drawn("motor-run-up").construction.figures if one.view is view)
     assert letters in {one.label for one in figure.marks if isinstance(one, Point)}
     assert all(float(one.words.en) for one in figure.marks if isinstance(one, Note))
+
+
+@pytest.mark.parametrize(("moment", "time"), [(1e-3, 1.0), (1.0, 1e3), (1e3, 0.1)])
+def test_a_small_machine_and_a_slow_one_are_drawn_as_large_as_others(moment: float, time: float) -> None:
+    """Units of moment and of time that are powers of ten: the same drawing to other scales."""
+
+    def curves(m: float, t: float) -> list[complex]:
+        motor, load = [f"{120 * m} N*m", f"{1.1 * m * t} N*m*s"], f"{30 * m} N*m"
+        figures = paper(run(motor=motor, load=load, J=f"{2 * m * t * t} kg*m^2")).figures
+        return [mark.b for figure in figures for mark in figure.marks if isinstance(mark, Segment)]
+
+    assert curves(moment, time) == pytest.approx(curves(1.0, 1.0), abs=1e-6)

@@ -69,3 +69,18 @@ def test_numbers_beside_an_axis_that_goes_up_have_one_count_of_decimals(name: st
     for figure in drawn(name).construction.figures:
         beside = [mark.words.zh for mark in figure.marks if isinstance(mark, Note) and mark.side == -1]
         assert len({len(text.partition(".")[2]) for text in beside if text[-1].isdigit() and text != "0"}) <= 1
+
+
+@pytest.mark.parametrize("name", ["7-4", "7-5", "cam-heart"])
+def test_the_angles_along_an_axis_go_up_by_one_step_from_nothing_to_the_end(name: str) -> None:
+    axes = 0
+    for figure in drawn(name).construction.figures:
+        told = {mark.at.real: mark.words.en for mark in figure.marks if isinstance(mark, Note)}
+        angles = [float(text.removesuffix("°")) for _, text in sorted(told.items()) if text.endswith("°")]
+        if angles:
+            step, axes = angles[0], axes + 1
+            assert (
+                angles[:-1] == [step * n for n in range(1, len(angles))] and 0 < angles[-1] - angles[-2] <= 1.4 * step
+            )
+            assert len(angles) >= 2
+    assert axes

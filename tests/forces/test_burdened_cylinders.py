@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.at_once import exactly
+from tests.drawn_library import drawn
 from tests.forces.hung import hung
 from vecpoly import Problem, load, loads, problem, solve
 from vecpoly.problem.values.vary import data_of
@@ -77,3 +78,10 @@ find: [F_c, F_c_0, R_31, R_51, R_61, R_62, R_64]
     )
     for answer in solution.answers.values():
         assert answer.drawn == pytest.approx(answer.exact, rel=1e-9), answer.key
+
+
+def test_where_a_cylinder_inside_drives_it_is_said_from_which_link_the_groups_are_taken_off() -> None:
+    construction = drawn("boom-heavy-cylinder").construction
+    (said,) = (step.words for step in construction.steps if "原动力作用于构件 2、3 之间" in step.words.zh)
+    assert "改取构件 1 为原动件拆组" in said.zh and "The drive acts between links 2 and 3" in said.en
+    assert "the groups are taken off from link 1" in said.en

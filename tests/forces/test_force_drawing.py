@@ -8,6 +8,7 @@ import math
 from dataclasses import replace
 from io import BytesIO
 
+import numpy as np
 import pdfplumber
 import pytest
 import shapely
@@ -46,6 +47,7 @@ from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.drawing.sheets.space import room, usable
 from vecpoly.drawing.style import Dash, Hue
 from vecpoly.figures import views
+from vecpoly.methods.forces.bodies.arrows import LEAST_AWAY, Arrow, _closer
 from vecpoly.words import Lang, Words
 
 MM = 72 / 25.4
@@ -380,3 +382,13 @@ def test_every_backend_draws_the_marks_of_forces(name: str) -> None:
     assert to_png(scene, 60)[:4] == b"\x89PNG" and to_pdf(scene)[:4] == b"%PDF"
     (axes,) = to_mpl(scene).axes
     assert len(axes.lines) == strokes and len(axes.patches) >= sum(isinstance(i, Fill) for i in scene.items)
+
+
+@pytest.mark.parametrize("away", [9.0, 14.5, 40.0, 300.0])
+def test_an_arrow_farther_out_comes_near_its_point_and_never_beyond_it(away: float) -> None:
+    at, out = 3 + 2j, 0.6 + 0.8j
+    arrow = Arrow(start=at + away * out, end=at + (away + 20) * out, symbol="F", far=True)
+    near = _closer(arrow, at, [], np.array([at - 50 * out]))
+    stands = ((near.start - at) / out).real
+    assert LEAST_AWAY - 1e-9 <= stands <= min(away, LEAST_AWAY + 1.0) + 1e-9
+    assert near.end - near.start == pytest.approx(arrow.end - arrow.start)

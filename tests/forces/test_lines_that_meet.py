@@ -13,6 +13,19 @@ from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Mark, Point, Role, Segment, TurnArrow
 
 MET = "problems/machines/"
+AT_ONE = """
+id: one
+title: loads at one point of the rocker
+frame: {A: [0 mm, 0 mm], D: [120 mm, 0 mm]}
+links: {1: {AB: 40 mm}, 2: {BC: 110 mm}, 3: {DC: 80 mm, E: {along: DC, at: 45 mm, left: 20 mm}}}
+branch: [C left of BD]
+input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
+find: [M_1, R_12, R_43]
+loads:
+  M_1: {on: 1, size: "?"}
+  F: {on: 3, at: E, size: 300 N, direction: 180 deg}
+  Q: {on: 3, at: E, size: 80 N, direction: -90 deg}
+"""
 
 
 def _diagram(name: str) -> tuple[vecpoly.Solution, dict[str, complex], tuple[Mark, ...]]:
@@ -65,3 +78,16 @@ def test_an_inner_couple_stands_on_its_link_and_not_on_the_group() -> None:
     assert turning["Free body of group 2-3"] == {"M_{2}"}
     assert turning["Free body of link 2"] == {"M_{2}", "M_{R32}"}
     assert turning["Free body of link 3"] == {"M_{R23}"}
+
+
+def test_forces_at_one_point_have_their_resultant_through_it() -> None:
+    solution = vecpoly.loads(AT_ONE).solve(by="exact")
+    figure = solution.construction.figure(View.MECHANISM)
+    assert figure is not None
+    (at,) = (mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "E")
+    (end,) = (mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "P_{3}")
+    assert abs(end - at) < 60  # mm: the line of the resultant is drawn about the point
+    (said,) = (step.words for step in solution.construction.steps if "的合力 $P_{3}$" in step.words.zh)
+    assert "过各力的公共作用点" in said.zh and "through their common point" in said.en
+    for answer in solution.answers.values():
+        assert abs(answer.drawn - answer.exact) <= 1e-9 * abs(answer.exact)

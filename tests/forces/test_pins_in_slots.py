@@ -11,7 +11,9 @@ import pytest
 
 from tests.texts import SIX_BAR
 from vecpoly import loads
-from vecpoly.errors import ProblemFileError
+from vecpoly.errors import NoSlipSenseError, ProblemFileError
+from vecpoly.foundation.slotted import replace
+from vecpoly.oracle.forces import forces
 from vecpoly.problem.load import load
 from vecpoly.solution import Solution, solve
 
@@ -145,3 +147,24 @@ def test_reactions_are_drawn_where_gears_mesh_and_where_another_link_makes_class
     head = f"id: x\ntitle: x\nextends: {base}\n{ROLLING}"
     asked = [ask.rel.key for ask in loads(head + "find: null\n").asks]
     assert len(asked) > 6 and agreeing(exact_hand(head + "find: null\n")) == len(asked)
+
+
+def test_friction_of_a_pin_on_the_side_of_a_slot_takes_its_share_of_the_power() -> None:
+    """tan φ N v along the slot, by a third party's kinematics."""
+    problem = load("crank-pin-in-slot")
+    assert problem.loads is not None
+    result = forces(problem.mechanism, replace(problem.loads, friction=replace(problem.loads.friction, pins={})))
+    assert result.power_in == pytest.approx(result.power_out + result.loss, rel=1e-9)
+    pin = 50e-3 * np.exp(1j * radians(20))
+    slot = (pin + 140e-3j) / abs(pin + 140e-3j)
+    assert result.loss > 0
+    force, slip = result.value("R_12"), abs((np.conj(slot) * 10j * pin).real)
+    assert result.loss == pytest.approx(abs((np.conj(slot) * force).real) * slip, rel=1e-9)
+
+
+def test_friction_of_a_pin_that_does_not_slide_in_its_slot_has_no_sense() -> None:
+    """The crank along the lever: the pin moves square to the slot."""
+    problem = load("crank-pin-in-slot")
+    assert problem.loads is not None
+    with pytest.raises(NoSlipSenseError, match=r"pin B in the slot of 2.*choose another position"):
+        forces(problem.mechanism, problem.loads, np.pi / 2)

@@ -171,3 +171,29 @@ def test_the_nut_stands_on_the_thread_and_climbs_it() -> None:
     assert body.centroid.y > thread.b.imag and (thread.b - thread.a).imag > 0 and (speed.b - speed.a).imag > 0
     (load,) = (m for m in nut.marks if isinstance(m, Vector) and m.label == "Q_0")
     assert (load.b - load.a).imag < 0 and abs((load.b - load.a).real) < 1e-9
+
+
+@each(Later(lambda: ids(mechanisms=False)))
+def test_the_sides_of_an_angle_that_is_marked_are_lines_through_its_corner(name: str) -> None:
+    for figure in drawn(name).construction.figures:
+        lines = [line for mark in figure.marks for line in straight(mark)]
+        for mark in (m for m in figure.marks if isinstance(m, AngleMark)):
+            for side in (cmath.rect(1, mark.start), cmath.rect(1, mark.start + mark.sweep)):
+                assert any(runs(line, mark.at, side) for line in lines), (figure.name, mark.label)
+
+
+def straight(mark: object) -> list[tuple[complex, complex]]:
+    """The straight lines of a mark from end to end."""
+    if isinstance(mark, Outline):
+        return list(zip(mark.points, (*mark.points[1:], mark.points[0]), strict=True))
+    return [(mark.a, mark.b)] if isinstance(mark, Segment | Vector) else []
+
+
+def runs(line: tuple[complex, complex], at: complex, way: complex) -> bool:
+    """Whether the line, or its continuation, passes through a place in a direction."""
+    along = (line[1] - line[0]).conjugate()
+    return (
+        abs(along) > NEAR
+        and abs((along * way).imag) < 1e-3 * abs(along)
+        and abs((along / abs(along) * (at - line[0])).imag) < NEAR
+    )

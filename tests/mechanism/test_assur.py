@@ -20,7 +20,7 @@ from tests.oracle.test_oracle_models import (
     pins,
     sine,
 )
-from vecpoly import loads, solve
+from vecpoly import load, loads, solve
 from vecpoly.errors import MobilityError
 from vecpoly.mechanism.groups.assur import decompose, hinges
 from vecpoly.mechanism.groups.mobility import check, mobility
@@ -214,3 +214,16 @@ def test_links_that_hang_on_nothing_known_are_named() -> None:
     with pytest.raises(MobilityError):
         check(mech)
         decompose(mech)
+
+
+def test_the_links_of_a_group_are_told_in_both_languages_and_a_block_that_is_thought_as_its_pin() -> None:
+    pinned = 0
+    for name in ("3-1c", "4-5", "pin-in-two-slots", "3-9", "class-iii-slides"):
+        for group in decompose(load(name).mechanism):
+            names = {
+                "zh": [f"销 {link.removeprefix('pin')}" if link.startswith("pin") else link for link in group.links],
+                "en": [f"pin {link.removeprefix('pin')}" if link.startswith("pin") else link for link in group.links],
+            }
+            assert (group.told.zh, group.told.en) == ("、".join(names["zh"]), " and ".join(names["en"]))
+            pinned += "pin" in group.told.en
+    assert pinned >= 4

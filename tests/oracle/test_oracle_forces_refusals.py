@@ -108,6 +108,21 @@ def test_friction_without_relative_motion_has_no_sense() -> None:
     refused(NoSlipSenseError, "the drive stands still", crank(rate=0.0), friction=ROUGH)
 
 
+@pytest.mark.parametrize(
+    ("mech", "remedies"),
+    [
+        (slider_crank(0.08, 0.23, 0.0, np.pi), ("请另取位置，", "choose another position,")),
+        (crank(rate=0.0), ("请给出原动件的速度，", "give the drive a rate,")),
+    ],
+)
+def test_the_remedy_for_friction_without_a_sense_is_the_same_in_both_languages(
+    mech: Mechanism, remedies: tuple[str, str]
+) -> None:
+    with pytest.raises(NoSlipSenseError) as caught:
+        forces(mech, Loads(forces=(PUSH,), moments=(CRANK,), friction=ROUGH))
+    assert remedies[0] in caught.value.words.zh and remedies[1] in caught.value.words.en
+
+
 def test_a_drive_at_rest_is_balanced_without_friction() -> None:
     loads = Loads(forces=(PUSH,), moments=(CRANK,))
     result = forces(crank(rate=0.0), loads)

@@ -12,6 +12,9 @@ from pypdf import PdfReader
 from tests.drawn_library import DRAFTED, IDS, drafted, drawn
 from tests.each import each
 from tests.laws import few
+from vecpoly.algebra.formula import Txt, named, plain
+from vecpoly.algebra.quantity import Product, magnitude
+from vecpoly.algebra.worked import told_again, worked
 from vecpoly.printed.digits import exact_number
 from vecpoly.problem.load import load
 from vecpoly.report.answers.checks import check_tables, check_words, checked, unlisted
@@ -149,3 +152,9 @@ def test_what_is_one_vector_by_the_drawing_and_exactly_is_checked_in_one_row() -
     symbols = [row[0] for row in table.rows]
     assert "$v_{B3}$ = $v_{C}$" in symbols and "$a_{B3}$ = $a_{C}$" in symbols
     assert len(table.rows) == len(set(symbols)) == 7, "v_B2, v_B3B2, ω_2, a_B2, a^r_B3B2 by themselves"
+
+
+def test_a_quantity_under_another_name_keeps_that_name_where_its_end_is_told_again() -> None:
+    line = worked(named("J_e"), Product((magnitude("J_1", 0.2, "kg*m^2"),)), "kg·m²")
+    again = told_again(line, Txt(" = 0.20 kg·m²"), "0.20", lambda node, value: "")
+    assert plain(line) == "J_e = J_1 = 0.2 kg·m²" and plain(again) == "J_e = J_1 = 0.20 kg·m²"

@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 
 import vecpoly
+from tests.drawn_library import drawn
 from tests.laws import few
-from vecpoly.board.paper.marks import Arc, Curve, Point
+from vecpoly.board.paper.marks import Arc, Curve, Point, Segment
 from vecpoly.errors import AssemblyError, NotAskedError, ProblemFileError
 
 CASES: dict[str, Any] = json.loads((Path(__file__).resolve().parents[1] / "data" / "synthesis.json").read_text("utf-8"))
@@ -236,3 +237,33 @@ def test_the_range_told_of_a_line_across_has_both_mirror_images() -> None:
         posed(**data, A="on x = 300 mm").solve()
     for x in ("50 mm", "-50 mm"):
         assert posed(**data, A=f"on x = {x}").solve(by="exact").construction.conclusion is None
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("best-gamma", ("取曲线上 $γ_min$ 最大的一点为 $A$", "for which the curve has its maximum $γ_min$")),
+        ("K-crank-rocker-gamma", ("$γ_min$ 等于给定值的点为 $A$", "for which the curve has the given $γ_min$")),
+    ],
+)
+def test_which_point_of_the_curve_is_taken_is_said(name: str, said: tuple[str, str]) -> None:
+    assert any(said[0] in step.words.zh and said[1] in step.words.en for step in drawn(name).construction.steps)
+
+
+@pytest.mark.parametrize("name", ["8-15", "K-crank-rocker-gamma"])
+def test_both_sides_of_the_right_triangle_over_the_chord_are_drawn(name: str) -> None:
+    """P is where the ray through C₁ at 90° − θ meets the normal at C₂."""
+    marks = drawn(name).construction.figures[0].marks
+    at = {mark.label: mark.at for mark in marks if isinstance(mark, Point)}
+    lines = [(mark.a, mark.b) for mark in marks if isinstance(mark, Segment)]
+    for p in (letter for letter in ("P", "P′") if letter in at):
+        for c in ("C_1", "C_2"):
+            assert any(passes(line, at[p]) and passes(line, at[c]) for line in lines), (p, c)
+
+
+def passes(line: tuple[complex, complex], at: complex) -> bool:
+    """Whether a place lies on the line that is drawn."""
+    a, b = line
+    along = (b - a) / abs(b - a) if a != b else 1.0
+    share = along.conjugate() * (at - a)
+    return abs(share.imag) < 1e-6 and -1e-6 < share.real < abs(b - a) + 1e-6

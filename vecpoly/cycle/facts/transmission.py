@@ -66,16 +66,23 @@ def _along(motion: Motion, joint: Prismatic) -> Points:
 
 def is_told(mech: Mechanism, dyad: Dyad) -> bool:
     """Whether the dyad's transmission angle changes:
-    not where gears roll, nor where a straight slot passes through both pins."""
+    not where gears roll, nor where the outer pins lie on one parallel to the slot."""
     if "G" in dyad.kind:
         return False
     if isinstance(dyad.inner, Prismatic) and dyad.kind == "RPR":
-        guide, block = dyad.inner, mech.link(dyad.inner.block)
-        pivot = next(
-            j.point
-            for j in (dyad.outer_j, dyad.outer_k)
-            if isinstance(j, Revolute) and j.point in mech.link(guide.guide).points
-        )
-        away = (mech.link(guide.guide).points[pivot] - guide.origin) * complex(np.exp(-1j * guide.direction))
-        return abs(away.imag - guide.offset) > 1e-12 * mech.scale or len(block.points) > 1
+        return abs(_off_line(mech, dyad, dyad.inner)) > 1e-12 * mech.scale
     return True
+
+
+def _off_line(mech: Mechanism, dyad: Dyad, slot: Prismatic) -> float:
+    """How far the outer pin of the block lies to the left of the parallel to the slot through that of the guide (m)."""
+    outer = {dyad.link_j: dyad.outer_j, dyad.link_k: dyad.outer_k}
+    guided, sliding = (_local(mech, name, outer[name]) for name in (slot.guide, slot.block))
+    along = (guided - slot.origin) * complex(np.exp(-1j * slot.direction))
+    pin = mech.link(slot.block).points[slot.pin]
+    return slot.offset + ((sliding - pin) * complex(np.exp(1j * slot.turn)) - along).imag
+
+
+def _local(mech: Mechanism, link: str, joint: Joint) -> complex:
+    assert isinstance(joint, Revolute)
+    return mech.link(link).points[joint.point]

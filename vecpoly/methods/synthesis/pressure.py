@@ -52,5 +52,6 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     level = abs(complex(nominal(n - c))) > SHORT
     along = board.parallel(c, unit(n - c) if level else -guide.along, key="nn").along
     alpha = 90.0 - np.abs(90.0 - np.degrees(np.abs(board.gauge(0j, (b - c) / along))))
-    marked(draft, c, (n, b), valued(draft.of_this(ALPHA_MAX).symbol, alpha), place=place)
+    own = draft.of_this(ALPHA_MAX)
+    marked(draft, c, (n, b), valued(own.symbol, alpha), key=own.key, place=place)
     return alpha

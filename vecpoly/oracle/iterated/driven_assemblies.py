@@ -3,14 +3,15 @@ of all there are, the one that the statements, or else the guesses, describe."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator
+from itertools import combinations, product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import AssemblyError
 from ...foundation.slotted import replace
-from ...mechanism.assembly.branch import margin
+from ...mechanism.assembly.branch import margin, opposite
 from ...mechanism.model import Mechanism, Side, SideOf
 from ...words import Words
 from ..run import Run
@@ -18,6 +19,7 @@ from ..state import Bodies
 from .newton import Newton
 
 Places = dict[str, complex]
+States = list[NDArray[np.float64]]
 
 
 def among(mech: Mechanism, step: Newton, bodies: Bodies, run: Run) -> Newton:
@@ -35,7 +37,7 @@ def among(mech: Mechanism, step: Newton, bodies: Bodies, run: Run) -> Newton:
     if len(fits) > 1 and any(p in mech.guesses for name in step.group.links for p in mech.link(name).points):
         fits = [min(fits, key=lambda state: _off(mech, step, state))]
     if len(fits) != 1:
-        raise _undecided(mech, step, before, found, len(fits), run.text(float(run.q[own])))
+        raise _undecided(mech, step, before, (found, fits), run.text(float(run.q[own])))
     chosen = replace(step)  # with no state found yet
     chosen.begin(fits[0])
     return chosen
@@ -61,10 +63,9 @@ def _off(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> float:
     return sum(abs(at - mech.guesses[p]) for p, at in _places(mech, step, state).items() if p in mech.guesses)
 
 
-def _undecided(
-    mech: Mechanism, step: Newton, before: Places, found: list[NDArray[np.float64]], fits: int, where: str
-) -> AssemblyError:
-    zh, links = step.group.told.zh, step.group.told.en
+def _undecided(mech: Mechanism, step: Newton, before: Places, ways: tuple[States, States], where: str) -> AssemblyError:
+    """ways: all assemblies, and those that fulfil the statements."""
+    (found, fits), zh, links = ways, step.group.told.zh, step.group.told.en
     if not found:
         return AssemblyError(
             Words(
@@ -83,32 +84,43 @@ def _undecided(
             ),
             code="no-branch",
         )
-    told = _telling(mech, step, before, found)
+    advice = _advice(mech, step, before, fits)
     return AssemblyError(
         Words(
-            f"构件 {zh} 有 {len(found)} 种装配方式，其中 {fits} 种符合说明；请在 branch 中写明，例如 {told}，"
-            "或以 guesses 给出各点的大致位置",
-            f"links {links} can be assembled in {len(found)} ways, of which {fits} "
-            f"fulfil what is said; say in 'branch' which, e.g. {told}, or give rough "
-            "places as guesses",
+            f"构件 {zh} 有 {len(found)} 种装配方式，其中 {len(fits)} 种符合说明；{advice.zh}",
+            f"links {links} can be assembled in {len(found)} ways, of which {len(fits)} "
+            f"fulfil what is said; {advice.en}",
         ),
         code="undecided-assembly",
     )
 
 
-def _telling(mech: Mechanism, step: Newton, before: Places, found: list[NDArray[np.float64]]) -> str:
-    """Sentences that tell the first assembly from most others."""
-    at = [before | _places(mech, step, state) for state in found]
-    pairs = [(a, b) for a in before for b in before if a < b and abs(before[a] - before[b]) > 1e-9 * mech.scale]
+def _advice(mech: Mechanism, step: Newton, before: Places, fits: States) -> Words:
+    """A sentence for `branch` that tells the first of these assemblies from most others, if there is one; guesses."""
+    at = [before | _places(mech, step, state) for state in fits]
     points = [p for p in at[0] if p not in before]
-    for pair in pairs:
-        for point in points:
-            sides = [_left(point, pair, places) for places in at]
-            if min(map(abs, sides)) > 1e-6 * mech.scale and len({s > 0 for s in sides}) == 2:
-                return f"'{point} {'left' if sides[0] > 0 else 'right'} of {pair[0]}{pair[1]}'"
-    return f"guesses: {{{points[0]}: [x mm, y mm]}}"
+    for statement in _statements(points, before, at, 1e-9 * mech.scale):
+        margins = [margin(statement, places) for places in at]
+        if min(map(abs, margins)) > 1e-6 * mech.scale and len({one > 0 for one in margins}) == 2:
+            told = statement if margins[0] > 0 else opposite(statement)
+            return Words(
+                f"请在 branch 中写明，例如 '{told}'，或以 guesses 给出各点的大致位置",
+                f"say in 'branch' which, e.g. '{told}', or give rough places as guesses",
+            )
+    rough = f"guesses: {{{points[0]}: [x mm, y mm]}}"
+    return Words(f"请给出各点的大致位置，例如 {rough}", f"give rough places of its points, e.g. {rough}")
 
 
-def _left(point: str, pair: tuple[str, str], at: Mapping[str, complex]) -> float:
-    """How far the point lies to the left of the ray (m)."""
-    return margin(SideOf(point=point, side=Side.LEFT, ref=pair), at)
+def _statements(points: list[str], before: Places, at: list[Places], apart: float) -> Iterator[SideOf]:
+    """Sentences about these points beside known ones, and beside each other."""
+    pairs = sorted(combinations(sorted(at[0]), 2), key=lambda pair: len({*pair} - {*before}))
+    refs = [pair for pair in pairs if min(abs(places[pair[0]] - places[pair[1]]) for places in at) > apart]
+    known = [pair for pair in refs if {*pair} <= {*before}]
+    yield from (SideOf(point=point, side=Side.LEFT, ref=pair) for pair, point in product(known, points))
+    for ref, point, side in product(before, points, (Side.LEFT, Side.ABOVE)):
+        yield SideOf(point=point, side=side, ref=(ref,))
+    yield from (
+        SideOf(point=point, side=Side.LEFT, ref=pair)
+        for pair, point in product(refs[len(known) :], points)
+        if point not in pair
+    )

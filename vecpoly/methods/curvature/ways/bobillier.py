@@ -97,7 +97,9 @@ def _centre(fig: CurvatureFigure, letter: str) -> None:
 def _cut(ray: Ray, e: str, q: str, o: str, p: str) -> tuple[str, str]:
     """How Q_E and O_E are found; with a point at infinity a parallel is drawn."""
     side = (
-        (f"直线 ${ray.moving}{e}$", f"${ray.moving}{e}$") if ray.x is not None else ("过该点的平行线", "its parallel")
+        (f"直线 ${ray.moving}{e}$", f"${ray.moving}{e}$")
+        if ray.x is not None
+        else (f"过 ${e}$ 所作该法线的平行线", f"the parallel to that normal through ${e}$")
     )
     back = (
         (f"连 ${ray.fixed}{q}$", f"${ray.fixed}{q}$")

@@ -91,6 +91,7 @@ def _sketch(bench: Bench, device: ShakingForce) -> None:
     c, _ = board.arc_on_line(Line(0j * b, 1 + 0j * b), b, device.l.si / mm, Words("滑块 C", "slider C"))
     end = complex(nominal(c))
     board.depict(view, rail(end - complex(18, 5), end + complex(18, -5), end), rod("link 1", 0j, b))
+    board.join(view, 0j, c, Role.CENTRE)
     board.depict(view, rod("link 2", b, c), block("link 3", c, 1 + 0j), pivot(0j, "A"))
     weight = -way * device.r_c.si / mm
     board.join(view, 0j, weight, Role.HIDDEN)
