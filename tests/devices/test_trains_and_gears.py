@@ -58,7 +58,7 @@ def test_all_rays_end_on_the_level_line_on_which_the_speeds_are_read(case: str) 
 
 @pytest.mark.parametrize("planet, ring", [((33, 21), 78), ((40, 15), 79), ((22,), 66)])
 def test_the_planets_lie_within_the_body_of_the_ring(planet: tuple[int, ...], ring: int) -> None:
-    train = device("epicyclic", sun=22, planet=list(planet), ring=ring, omega_1="20 rad/s", omega_3="0 rad/s")
+    train: Any = device("epicyclic", sun=22, planet=list(planet), ring=ring, omega_1="20 rad/s", omega_3="0 rad/s")
     figure = drawn(train).figure(View.MECHANISM)
     assert figure is not None
     wheels = [mark for mark in figure.marks if isinstance(mark, GearMark)]
