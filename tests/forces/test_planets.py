@@ -71,7 +71,7 @@ def test_friction_of_pins_asks_more_of_the_sun() -> None:
 def test_the_sheet_tells_why_one_pair_of_teeth_is_alone_in_its_moment_equation() -> None:
     steps = vecpoly.load("two-trains-one-sun").solve(by="exact").construction.steps
     assert any(
-        "R_{62}$ passes through $K$" in step.words.en and "R_{62}$ 过节点 $K$" in step.words.zh for step in steps
+        "R_{64}$ passes through $N$" in step.words.en and "R_{64}$ 过节点 $N$" in step.words.zh for step in steps
     )
 
 
