@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 import pytest
 
@@ -17,7 +18,7 @@ SIZE = re.compile(r"([\d.]+)\D{1,3}N\b")
 SAME = 0.01  # of its size: a two-force link passes on what it bears
 
 
-def asking(names: tuple[str, ...]) -> list[str]:
+def asking(names: Sequence[str]) -> list[str]:
     """Those whose statement asks for all."""
     return [
         name for name in names if isinstance(given(name).subject, Mechanism) and ALL.search(given(name).statement.zh)

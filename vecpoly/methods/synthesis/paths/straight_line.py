@@ -9,12 +9,9 @@ import numpy as np
 from ....algebra.columns import column
 from ....algebra.quantity import magnitude
 from ....board.paper.marks import Dot, Role
-from ....board.paper.symbols import Symbol
-from ....board.strokes import spot
 from ....designs.straight_line import BAND, L, StraightLine
 from ....designs.verdict import Verdict
-from ....diagram.pins import passing
-from ....diagram.single import plate
+from ....diagram.single import plate, run_on
 from ....plane import Points, nominal, unit
 from ....plane.geometry import cross
 from ....words import Words
@@ -111,9 +108,8 @@ def _joined(draft: Draft, coupler: tuple[Points, Points, Points], thick: bool) -
 
 def _run_on(draft: Draft, chain: Chain, e: Points) -> None:
     """Where BC is produced to E, the joining half about the pin past which the bar runs on."""
-    a, b, c, d = (spot(one) for one in chain)
-    for end, at, other in ((b, c, d), (c, b, a)):
-        draft.board.depict(SHEET, Symbol.of("coupler", passing(at, [(end, spot(e))], [other - at])))
+    a, b, c, d = chain
+    draft.board.depict(SHEET, run_on("coupler", c, d, b, e), run_on("coupler", b, a, c, e))
 
 
 def _station(
