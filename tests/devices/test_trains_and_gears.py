@@ -11,9 +11,11 @@ from hypothesis import strategies as st
 
 from tests.cam_cases import CASES, agree, device, drawn
 from tests.laws import often
-from vecpoly.board.paper.marks import Point, Role, Segment
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import Arc, Curve, GearMark, Point, Role, Segment
 from vecpoly.errors import NotAskedError, ProblemFileError
 from vecpoly.methods.devices.epicyclic.scales import TURNS
+from vecpoly.methods.devices.gear_generation.rack import VIEW
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load, loads
 from vecpoly.report.answers.notes import notes_of
@@ -52,6 +54,17 @@ def test_all_rays_end_on_the_level_line_on_which_the_speeds_are_read(case: str) 
     ends = [mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label != "Π"]
     assert len(ends) == 5 and {end.imag for end in (level.a, level.b, *ends)} == {0}
     assert level.a.real < min(end.real for end in ends) and max(end.real for end in ends) < level.b.real
+
+
+@pytest.mark.parametrize("planet, ring", [((33, 21), 78), ((40, 15), 79), ((22,), 66)])
+def test_the_planets_lie_within_the_body_of_the_ring(planet: tuple[int, ...], ring: int) -> None:
+    train: Any = device("epicyclic", sun=22, planet=list(planet), ring=ring, omega_1="20 rad/s", omega_3="0 rad/s")
+    figure = drawn(train).figure(View.MECHANISM)
+    assert figure is not None
+    wheels = [mark for mark in figure.marks if isinstance(mark, GearMark)]
+    [body] = [mark for mark in figure.marks if isinstance(mark, Arc) and mark.role is Role.LINK]
+    reach = max(abs(wheel.centre) + wheel.radius for wheel in wheels)
+    assert body.radius > reach + 1.0 and body.radius >= train.radii["3"] / figure.scale.value + 4.0
 
 
 @st.composite
@@ -281,3 +294,14 @@ def test_every_symbol_of_the_tip_is_lettered_on_the_sheet_and_the_circle_of_the_
 def test_the_least_number_of_teeth_is_told_as_the_whole_number_of_the_textbooks(angle: str, whole: int) -> None:
     steps = drawn(gear(m="10 mm", z=10, x="0", alpha=angle)).steps
     assert any(f"= {whole}." in step.words.en for step in steps)
+
+
+@pytest.mark.parametrize("name", ["gear-undercut", "gear-shifted"])
+def test_the_start_of_the_involute_is_marked_on_the_tooth_and_where_it_is_cut(name: str) -> None:
+    figure = solve(load(name)).construction.figure(VIEW)
+    assert figure is not None
+    spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
+    start, corner = spots["S"], spots["S′"]
+    assert abs(start) == pytest.approx(abs(corner), abs=0.05)
+    ends = [curve.points[0] for curve in figure.marks if isinstance(curve, Curve) and curve.role is Role.LINK]
+    assert start in ends and abs(start - corner) > 5.0

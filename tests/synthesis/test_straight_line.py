@@ -13,7 +13,7 @@ import vecpoly
 from tests.drawn_library import drawn
 from tests.laws import often
 from tests.synthesis.inversion import posed, solved
-from vecpoly.board.paper.marks import Curve, Point
+from vecpoly.board.paper.marks import Curve, Passing, Point
 from vecpoly.designs.straight_line import StraightLine
 from vecpoly.errors import ProblemFileError
 
@@ -56,6 +56,19 @@ def test_the_curve_of_deviations_of_a_symmetrical_path_is_symmetrical(name: str)
 def test_heights_too_small_to_be_read_off_the_drawing_are_said_to_be_computed() -> None:
     told = drawn("straight-chebyshev").construction.steps[1].words
     assert "0.24 mm" in told.en and "computed" in told.en and "由计算求得" in told.zh
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_it_is_said_that_readings_off_computed_points_check_the_plotting_alone(name: str) -> None:
+    told = drawn(name).construction.steps[1].words
+    assert "plotting and reading alone" in told.en and "只检验画图和读数" in told.zh
+
+
+@pytest.mark.parametrize(("name", "past"), [("straight-hoecken", ["C"]), ("straight-roberts", []), (KNOWN[0], [])])
+def test_the_coupler_runs_on_past_a_pin_only_where_it_is_produced_to_e(name: str, past: list[str]) -> None:
+    marks = drawn(name).construction.figures[0].marks
+    pins = {mark.at: mark.label for mark in marks if isinstance(mark, Point)}
+    assert [pins[mark.at] for mark in marks if isinstance(mark, Passing)] == past
 
 
 def test_a_length_that_is_a_whole_number_of_divisions_is_a_reading_too() -> None:

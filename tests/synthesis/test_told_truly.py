@@ -10,7 +10,8 @@ import pytest
 from vecpoly.check.designs.found_words import told as said
 from vecpoly.check.grashof import grashof
 from vecpoly.errors import VecpolyError
-from vecpoly.problem.load import loads
+from vecpoly.problem.load import load, loads
+from vecpoly.report.answers.moved import moved_told, preferred
 from vecpoly.solution import solve
 
 PROBLEM = "id: told\ntitle: told\nsynthesis: {kind}\ndata: {{{data}}}\nfind: [{find}]\n"
@@ -61,3 +62,21 @@ def test_a_limit_that_is_zero_is_no_bar_that_has_vanished() -> None:
     text = PROBLEM.format(kind="grashof", data="AB: 40 mm, BC: 60 mm, CD: 50 mm, AD: 100 mm", find="CD_min, CD_max")
     solution = solve(loads(text), by="exact", repeats=0)
     assert solution.answers["CD_min"].drawn == pytest.approx(0, abs=1e-9) and not solution.verification
+
+
+@pytest.mark.parametrize(("name", "low"), [("K-crank-rocker-BC", "every solution"), ("8-15", "solution 2 ")])
+def test_of_several_solutions_that_with_the_largest_transmission_angle_is_preferred(name: str, low: str) -> None:
+    solution = solve(load(name))
+    found = preferred(solution)
+    one, two = (moved.gamma for moved in solution.verification)
+    assert found is not None and one > two + 1 and low in found.en.lower() and found.zh in moved_told(solution, "zh")
+    assert "olution 1, " in found.en and "解 1 的" in found.zh
+
+
+def test_of_solutions_with_all_but_equal_transmission_angles_none_is_preferred() -> None:
+    found = preferred(solve(load("8-4")))
+    assert found is not None and "every solution" in found.en.lower() and "preferable" not in found.en
+
+
+def test_a_lone_solution_is_not_preferred_to_others() -> None:
+    assert preferred(solve(load("8-12"))) is None

@@ -35,7 +35,7 @@ def passing(at: complex, lines: Iterable[Line], others: Sequence[complex]) -> It
     others: the ways from the pin along the other links, of any length.
     """
     for a, b in lines:
-        if min(abs(a - at), abs(b - at)) < ENDS:
+        if min(abs(b - a), abs(a - at), abs(b - at)) < ENDS:
             continue
         along = (b - a) / abs(b - a)
         foot = (at - a) * along.conjugate()

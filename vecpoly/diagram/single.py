@@ -27,6 +27,7 @@ from ..names import subscripted
 from ..plane import Points, Reals
 from ..words import Words
 from .owners import FIXED, joint, link
+from .pins import passing
 
 
 def outline(owner: str, *points: Points, fixed: bool = False) -> Symbol:
@@ -52,6 +53,12 @@ def gear(owner: str, centre: Points, radius: Reals) -> Symbol:
 def rod(owner: str, a: Points, b: Points) -> Symbol:
     """A straight link, or a part of one."""
     return Symbol.of(owner, (Segment(a=spot(a), b=spot(b), role=Role.LINK),))
+
+
+def run_on(owner: str, pin: Points, other: Points, end: Points, tip: Points) -> Symbol:
+    """The joining half about a pin past which the bar from `end` to `tip` runs on, if it does; other: the far end of
+    the link that ends there."""
+    return Symbol.of(owner, passing(spot(pin), [(spot(end), spot(tip))], [spot(other) - spot(pin)]))
 
 
 def rim(owner: str, centre: Points, radius: Reals, middle: float, half: float) -> Symbol:

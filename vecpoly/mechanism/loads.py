@@ -95,6 +95,11 @@ class Rod:
         """J = m l² / 12 about the middle (kg·m²)."""
         return mass * self.length**2 / 12
 
+    @property
+    def thickness(self) -> float:
+        """By what share of m l² / 12 the moment of inertia of the cylinder, m (3 r² + l²) / 12, is larger."""
+        return 0.75 * (self.diameter / self.length) ** 2
+
     def diameter_of(self, mass: float) -> float:
         """The diameter that a bar of this mass would have (m)."""
         return sqrt(4 * mass / (pi * self.density * self.length))

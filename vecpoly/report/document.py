@@ -23,7 +23,7 @@ from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .answers.box import answer_box
 from .answers.checks import check_tables, check_words, unlisted
-from .answers.moved import moved_verdict
+from .answers.moved import moved_told
 from .answers.verdict import verdict_of
 from .content import Objects, beside_tables, by_rank, cautions, conclusions
 from .flow.blocks import Callout, Drawing
@@ -232,7 +232,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "printed": objects.add("tab", even(printed)) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
         "concluded": concluded(checked, lang),
-        "missed": moved_verdict(solution, lang),
+        "missed": moved_told(solution, lang),
         "answer": objects.add("ans", answer),
         "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",

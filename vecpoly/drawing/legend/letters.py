@@ -175,6 +175,7 @@ LETTERS: tuple[Letter, ...] = (
     Letter(is_of_gear, r"N", Words("啮合极限点", "limit of contact")),
     Letter(is_of_gear, r"E|F", Words("节线上的齿槽宽", "space width on the rolling line")),
     Letter(is_of_gear, r"S", Words("过渡曲线与渐开线的交点", "fillet meets involute")),
+    Letter(is_of_gear, r"S′", Words("切出 $S$ 时的齿条角点", "rack's corner as it cuts $S$")),
     Letter(is_of_gear, r"K", Words("齿顶的啮合点", "contact at the tip")),
     Letter(_seen("torque"), r"[a-c]", Words("两力矩相等处", "both moments are equal")),
     Letter(_seen("torque"), r"S_\d", Words("力矩线下的面积", "area under the moments")),

@@ -1,12 +1,12 @@
-"""Masses and moments of inertia of the links: given, or computed for round bars, m = ρ π d² l / 4 and J = m l² / 12;
-and weights."""
+"""Masses and moments of inertia of the links: given, or computed for round bars, m = ρ π d² l / 4 and J = m l² / 12
+(what that leaves out of thick ones is said); and weights."""
 
 from __future__ import annotations
 
 from math import pi
 
 from ...algebra.formula import Txt
-from ...algebra.quantity import Expr, Quantity, magnitude
+from ...algebra.quantity import Expr, Quantity, magnitude, number
 from ...board.construction import View
 from ...mechanism.asked.forces import mass_named
 from ...mechanism.loads import GRAVITY, Mass, Rod
@@ -16,6 +16,8 @@ from ...words import Words
 from .acting import Acting
 from .readings import keep_value
 from .state import Statics
+
+THICK = 0.05  # of the moment of inertia: what a thin rod's may leave out
 
 
 def masses(st: Statics) -> None:
@@ -33,6 +35,28 @@ def masses(st: Statics) -> None:
         )
     for mass in st.loads.masses:
         _keep(st, mass)
+    for mass in rods:
+        if mass.rod is not None and mass.rod.thickness > THICK:
+            st.board.step(_thick(st, mass, mass.rod))
+
+
+def _thick(st: Statics, mass: Mass, rod: Rod) -> Words:
+    """That a bar is no slender rod, what it has as a cylinder, and whether that matters."""
+    ratio, times = number(rod.diameter / rod.length, 2), number(1 + rod.thickness, 3)
+    found = number(mass.inertia * (1 + rod.thickness), 3)
+    told = Words(
+        f"构件 {mass.link} 的 $d$/$l$ = {ratio}，不是细长杆；按圆柱计，$J$ = $m(3r^2 + l^2)/12$ = {found} kg·m²，"
+        f"为上值的 {times} 倍。",
+        f"Link {mass.link}, of $d$/$l$ = {ratio}, is no slender rod: as a cylinder it has $J$ = $m(3r^2 + l^2)/12$ = "
+        f"{found} kg·m², {times} times that value.",
+    )
+    drive = st.desk.mech.drive
+    if drive.link != mass.link or drive.slide or drive.accel:
+        return told
+    return told + Words(
+        "该构件匀速转动，惯性力偶矩为零，其余结果不受影响。",
+        " It turns uniformly and has no inertia couple, so nothing else depends on it.",
+    )
 
 
 def _keep(st: Statics, mass: Mass) -> None:

@@ -11,7 +11,7 @@ from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....devices.gears.epicyclic import Epicyclic, speed_of
 from ....diagram.half_section import half_section
-from ....diagram.wheels import epicyclic_train, held, number_of_ring, second_sun
+from ....diagram.wheels import body_of_ring, epicyclic_train, held, number_of_ring, second_sun
 from ....errors import NotAskedError
 from ....plane import Line, Points, nominal, unit
 from ....words import Words
@@ -58,7 +58,7 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
     ring = radii["3"] if train.ring else 0.0
     board.depict(View.MECHANISM, *epicyclic_train(radii["1"], radii["H"], (radii["2"], radii["2′"]), ring))
     if train.ring:
-        board.depict(View.MECHANISM, number_of_ring(radii["3"]))
+        board.depict(View.MECHANISM, number_of_ring(body_of_ring(ring, radii["H"] + radii["2"])))
     else:
         board.depict(View.MECHANISM, *second_sun(radii["3"]))
     _held_and_turned(bench, train, radii)
@@ -75,9 +75,8 @@ def _held_and_turned(bench: Bench, train: Epicyclic, radii: Mapping[str, float])
     for key, omega in train.omegas.items():
         if key in train.held:
             ring = key == "3" and bool(train.ring)
-            bench.board.depict(
-                View.MECHANISM, held(radii[key], *((0.0, pi) if ring else (-pi / 6, -5 * pi / 6)), inner=ring)
-            )
+            rim = body_of_ring(radii[key], radii["H"] + radii["2"]) if ring else radii[key]
+            bench.board.depict(View.MECHANISM, held(rim, *((0.0, pi) if ring else (-pi / 6, -5 * pi / 6)), inner=ring))
         elif omega is not None:
             turning(bench, train, key, omega.si)
     teeth(bench, train)

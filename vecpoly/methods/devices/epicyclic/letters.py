@@ -6,7 +6,7 @@ from cmath import exp, pi
 
 from ....board.construction import View
 from ....devices.gears.epicyclic import Epicyclic
-from ....diagram.wheels import OUTSIDE
+from ....diagram.wheels import body_of_ring
 from ....words import Words
 from ..bench import Bench
 from ..turning import arrow_about
@@ -17,9 +17,11 @@ LOW_RIGHT, LOW_LEFT = exp(-0.25j * pi), exp(-0.75j * pi)
 
 def teeth(bench: Bench, train: Epicyclic) -> None:
     """z of every wheel outside its rim; of a ring outside its body."""
+    mm = bench.board.scale_of(View.MECHANISM).value
+    reach = (train.radii["H"] + train.radii["2"]) / mm
     for key, centre, radius, side in _wheels(bench, train):
         count = {"1": train.sun, "2": train.planet[0], "2′": train.planet[-1], "3": train.other}[key]
-        rim = radius + (OUTSIDE if key == "3" and train.ring else 0.0)
+        rim = body_of_ring(radius, reach) if key == "3" and train.ring else radius
         words = Words.same(f"$z_{{{key}}}$ = {count}")
         bench.board.note(View.MECHANISM, centre + side * (rim + 2.0), words)
 

@@ -176,14 +176,16 @@ def _start(bench: Bench, rack: Rack) -> float:
     aside = crossing(board, gear, rack.mm) if cut else (rack.r - rack.tip) / tan(gear.alpha.si)
     board.step(
         Words(
-            "齿条角点的轨迹（延伸渐开线）经试作与渐开线交于 $S$，其下的渐开线已被切去。量 $S$ 到 $O$ 的距离：",
+            "齿条角点的轨迹（延伸渐开线）经试作与渐开线交于 $S$，其下的渐开线已被切去。切出 $S$ 时角点位于齿顶线上的 "
+            "$S′$，$OS$ = $OS′$，量得：",
             "By trial the path of the rack's corner (a trochoid) crosses the involute in $S$; the involute below it "
-            "is cut off. The distance of $S$ from $O$:",
+            "is cut off. As it cuts $S$ the corner stands at $S′$ on the tip line, and $OS$ = $OS′$, which is read:",
         )
         if cut
         else Words(
-            "齿条齿顶线与啮合线的交点 $S$ 处渐开线开始。量 $S$ 到 $O$ 的距离：",
-            "The involute starts where the rack's tip line meets the line of action at $S$. Its distance from $O$:",
+            "齿条齿顶线与啮合线交于 $S′$，渐开线的起点 $S$ 在此切出，$OS$ = $OS′$，量得：",
+            "The rack's tip line meets the line of action at $S′$, where $S$, the start of the involute, is cut; "
+            "$OS$ = $OS′$, which is read:",
         ),
         VIEW,
     )
@@ -195,8 +197,8 @@ def _start(bench: Bench, rack: Rack) -> float:
     else:
         at = board.meet(line, rack.action, Words("齿顶线与啮合线", "the tip line and the line of action"))
     board.join(VIEW, low, at, Role.CONSTRUCTION)
-    board.plot(VIEW, at, "S", Dot.POINT)
-    length(bench, START, VIEW, 0j, at, "O S")
+    board.plot(VIEW, at, "S′", Dot.POINT)
+    length(bench, START, VIEW, 0j, at, "O S′")
     return aside
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....board.board import Board
-from ....board.paper.marks import Role
+from ....board.paper.marks import Dot, Role
 from ....devices.gears.generation import GearGeneration
 from ....plane import nominal
 from .rack import VIEW, Rack, contact, corner_at, half_thickness, on_gear, place_rack
@@ -46,7 +46,7 @@ def _outline(rack: Rack) -> list[complex]:
 
 
 def draw_tooth(board: Board, gear: GearGeneration, mm: float, tip: float, aside: float) -> None:
-    """Involute, fillet, root and top land of the tooth under P, both flanks; lengths in mm on paper."""
+    """Involute, fillet, root and top land of the tooth under P, both flanks; S on the right one. In mm on paper."""
     trial = board.scratch()
     trial.step(VIEW.title)
     rack = place_rack(trial, gear, mm)
@@ -61,6 +61,7 @@ def draw_tooth(board: Board, gear: GearGeneration, mm: float, tip: float, aside:
             points = -np.conj(line) if mirrored else line
             board.curve(VIEW, [complex(spot) for spot in points], Role.LINK)
     board.curve(VIEW, [complex(spot) for spot in top], Role.LINK)
+    board.plot(VIEW, complex(flank[0]), "S", Dot.POINT)
 
 
 def _fillet(rack: Rack, most: float) -> NDArray[np.complex128]:

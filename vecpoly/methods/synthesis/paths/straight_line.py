@@ -11,14 +11,14 @@ from ....algebra.quantity import magnitude
 from ....board.paper.marks import Dot, Role
 from ....designs.straight_line import BAND, L, StraightLine
 from ....designs.verdict import Verdict
-from ....diagram.single import plate
+from ....diagram.single import plate, run_on
 from ....plane import Points, nominal, unit
 from ....plane.geometry import cross
 from ....words import Words
 from ...devices.sketches.dimensions import dimension
 from ..chart import Axis, Chart, chart
 from ..draft import SHEET, Draft
-from ..linkage import drawn, pin, pivot, point
+from ..linkage import Chain, drawn, pin, pivot, point
 from ..registry import design_method
 from .path import Path
 
@@ -59,6 +59,8 @@ def _traced(draft: Draft, design: StraightLine, phis: list[float]) -> dict[str, 
         if n in (0, STATIONS - 1, middle):
             drawn(draft, *(((a, b, c, d),) if n == middle else ((), (a, b, c, d))))
             _joined(draft, (b, c, e), thick=n == middle)
+            if n == middle and _in_line((b, c, e)):
+                _run_on(draft, (a, b, c, d), e)
             for letter, at in (("B", b), ("C", c)) if n != middle else ():
                 pin(draft, f"{letter}_{n + 1}", at)
     for letter, at in zip("BC", stations[middle], strict=False):
@@ -88,14 +90,26 @@ def _positions(design: StraightLine, phis: list[float]) -> Words:
     )
 
 
+def _in_line(coupler: tuple[Points, Points, Points]) -> bool:
+    """Whether E lies on BC, produced or not."""
+    b, c, e = coupler
+    return abs(float(nominal(cross(unit(c - b), e - b)))) <= FLAT
+
+
 def _joined(draft: Draft, coupler: tuple[Points, Points, Points], thick: bool) -> None:
     """The coupler BCE: a plate where its three points are not in line."""
     b, c, e = coupler
-    if thick and abs(float(nominal(cross(unit(c - b), e - b)))) > FLAT:
+    if thick and not _in_line(coupler):
         draft.board.depict(SHEET, plate("coupler", b, c, e))
         return
     for one in (b, c):
         draft.board.join(SHEET, one, e, Role.LINK if thick else Role.OTHER)
+
+
+def _run_on(draft: Draft, chain: Chain, e: Points) -> None:
+    """Where BC is produced to E, the joining half about the pin past which the bar runs on."""
+    a, b, c, d = chain
+    draft.board.depict(SHEET, run_on("coupler", c, d, b, e), run_on("coupler", b, a, c, e))
 
 
 def _station(
@@ -146,12 +160,12 @@ def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
     return (narrow if on_paper < LEGIBLE else wide) + Words(
         "在 $△BCD$ 中由余弦定理求 $∠CBD$，得 $C$、$E$ 的坐标。$x$ 自 $A$ 沿 $AD$ 量起，高度 $h$ "
         f"自轨迹的最低点量起，$E_1$ 至 $E_{STATIONS}$ 的 $h$ 为 {'、'.join(rows)} mm；"
-        "其间再算若干点，以放大的比例画出。作平行于 $AD$ 的两直线夹住曲线，"
-        "量出近似直线段的长度 $L$ 和这段轨迹偏离直线的宽度 $δ$（两平行线的距离）：",
+        "其间再算若干点，以放大的比例画出（故校核只检验画图和读数）。作平行于 $AD$ 的两直线夹住曲线，"
+        "量出长度 $L$ 和宽度 $δ$（两平行线的距离）：",
         "the law of cosines gives $∠CBD$ in $△BCD$, and so the coordinates of $C$ and $E$: $x$ from $A$ along "
         f"$AD$, the height $h$ from the lowest point of the path. At $E_1$ to $E_{STATIONS}$ $h$ is {', '.join(rows)} "
-        "mm; compute further positions between them, and plot all to an enlarged scale. Two parallels to $AD$ enclose "
-        "the curve. Read the length $L$ of the straight part and the width $δ$ of its band:",
+        "mm; compute more between them, and plot all to an enlarged scale (the check tests plotting and reading "
+        "alone). Two parallels to $AD$ enclose the curve. Read the length $L$ and the width $δ$:",
     )
 
 
