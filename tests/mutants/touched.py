@@ -2,7 +2,7 @@
 
 What functions keep of their results is forgotten before each file of tests, so that no file lives on what another
 computed. Within a file a kept result counts for the test that computed it; `Touched.chosen` therefore also takes the
-other tests of such a file. The map is written after each file: a run that was broken off is of use as far as it came.
+other tests of such a file. The map is written now and then: a run that was broken off is of use as far as it came.
 Seconds are those of the processor, and a test that takes many is broken off too: what it has called by then is known.
 """
 
@@ -27,6 +27,7 @@ ROOT = Path(__file__).resolve().parents[2]
 MAP = ROOT / "out" / "mutants.json"
 _SAMPLE = 3  # parameters of a test that are listened to first
 _PATIENCE = 1.0  # seconds of the processor after which a test is broken off
+_PAUSE = 120.0  # seconds between two times that the map is written: it is large
 _BLIND = [
     f"--ignore={ROOT}/tests/{name}.py"
     for name in ("player/test_player_browser", "cli/test_cli_process", "house/test_package", "generated/test_fuzz")
@@ -44,6 +45,7 @@ class Listener:
         self.seconds: dict[str, float] = {}
         self._file = ""
         self._now: set[tuple[str, str]] = set()
+        self._written = time.monotonic()
         self._met: dict[
             int, CodeType
         ] = {}  # by identity, for comparing code is slow; kept, so that no identity is used twice
@@ -80,10 +82,11 @@ class Listener:
         self.write(self)
 
     def _turned(self, file: str) -> bool:
-        """Whether another file begins; what is known so far is written then."""
+        """Whether another file begins; what is known so far is written then, if that is long ago."""
         turned, self._file = file != self._file, file
-        if turned:
+        if turned and time.monotonic() - self._written > _PAUSE:
             self.write(self)
+            self._written = time.monotonic()
         return turned
 
     def _called(self, frame: FrameType, _event: str, _arg: Any) -> None:
