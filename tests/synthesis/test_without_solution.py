@@ -17,8 +17,8 @@ from vecpoly.check.designs.admissible import admissible
 from vecpoly.check.truth import exact_values
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import REFUSED, UNSOLVABLE
-from vecpoly.designs.admitted import between
 from vecpoly.designs.base import Design
+from vecpoly.designs.ranged.admitted import between
 from vecpoly.errors import AssemblyError, NotAskedError, VecpolyError
 from vecpoly.grading.derive.keyed import answer_key
 from vecpoly.oracle.synthesis.registry import linkages, solvable

@@ -19,7 +19,7 @@ from ..foundation.plugins import load_modules
 from ..names import Named
 from ..units.reading import Dim, Quantity, pure, read
 from ..words import Words
-from .datum import Datum, of_field
+from .ranged.datum import Datum, of_field
 
 MOST = 9  # solutions of a task, at most
 

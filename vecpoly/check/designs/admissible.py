@@ -9,9 +9,9 @@ from math import atan, degrees, inf, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ...designs.admitted import between
 from ...designs.base import Design
-from ...designs.datum import Datum
+from ...designs.ranged.admitted import between
+from ...designs.ranged.datum import Datum
 from ...designs.verdict import Verdict
 from ...errors import VecpolyError
 from ...oracle.synthesis.registry import candidates

@@ -16,11 +16,11 @@ from ...names import Named
 from ...units.reading import Quantity
 from ...words import Words
 from ..base import Design
-from ..datum import Datum, put, quantity
 from ..inversion.built import posed_four_bar
 from ..inversion.paired import of_pairs
 from ..inversion.written import Corresponding, Pair
 from ..quantities import FOUR_BAR
+from ..ranged.datum import Datum, put, quantity
 from .formula import Function, Number, Value
 from .refusals import turns_alike
 

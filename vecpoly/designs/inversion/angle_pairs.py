@@ -13,9 +13,9 @@ from ...errors import FaultError
 from ...names import Named
 from ...words import Words
 from ..base import Design, Which
-from ..datum import Datum
 from ..place import Carried
 from ..quantities import AB, BC, FOUR_BAR
+from ..ranged.datum import Datum
 from .built import posed_four_bar, posed_slider_crank
 from .loops import Hinged, Sliding
 from .paired import of_pairs

@@ -8,7 +8,7 @@ from functools import partial
 
 from ...words import Words
 from ..base import Design
-from ..datum import Datum, put
+from ..ranged.datum import Datum, put
 from .written import Pair
 
 

@@ -12,9 +12,9 @@ from ...errors import FaultError
 from ...names import Named
 from ...words import Words
 from ..base import Design, Which
-from ..datum import Datum, of_point, put_in
 from ..place import Carried
 from ..quantities import FOUR_BAR, TURN_AB, TURN_AD, TURN_DC
+from ..ranged.datum import Datum, of_point, put_in
 from .built import posed_four_bar
 from .loops import Hinged
 from .plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage

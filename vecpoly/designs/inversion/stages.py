@@ -12,7 +12,7 @@ from ...devices.base import Length
 from ...names import Named
 from ...words import Words
 from ..base import Design
-from ..datum import Datum, of_point, put_in, quantity
+from ..ranged.datum import Datum, of_point, put_in, quantity
 from .assembling import Assembly
 from .chain import chain
 from .plan import Find, Plan

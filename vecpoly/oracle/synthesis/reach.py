@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ...designs.admitted import between
 from ...designs.crank_rocker import LEAST, CrankRocker
+from ...designs.ranged.admitted import between
 from ...errors import AssemblyError
 from ...words import Words
 from .chord import SIDES, Chord

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import asin, cos, degrees, inf, pi, sin, sqrt, tan
 
-from ...designs.admitted import between
+from ...designs.ranged.admitted import between
 from ...designs.slider_crank import SliderCrank
 from ...designs.verdict import Verdict
 from ...errors import AssemblyError

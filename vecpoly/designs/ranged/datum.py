@@ -7,11 +7,11 @@ from typing import Any, Generic, TypeVar
 
 from pydantic import BaseModel
 
-from ..foundation.slotted import dataclass
-from ..names import Named
-from ..units.reading import Quantity
-from ..words import Words
-from .place import OnLine
+from ...foundation.slotted import dataclass
+from ...names import Named
+from ...units.reading import Quantity
+from ...words import Words
+from ..place import OnLine
 
 Task = TypeVar("Task", bound=BaseModel)
 _AXES = (("x", 1 + 0j), ("y", 1j))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from math import ceil, floor, inf, isclose, log10
 
-from ..words import Words
+from ...words import Words
 
 FIGURES, MOST = 4, 12  # of an end; of the ends of a narrow range, at most
 
