@@ -65,3 +65,8 @@ def agree(subject: Device, within: float = 1e-9) -> Mapping[str, float]:
     wrong = {key: pair for key, pair in off.items() if not abs(pair[0] - pair[1]) <= within * max(size, 1.0)}
     assert not wrong, wrong
     return {key: reading.scalar for key, reading in readings.items()}
+
+
+def mirrored(found: Mapping[str, float]) -> dict[str, float]:
+    """The answers of a cam as its mirror image has them: θ goes round the other way."""
+    return {key: 360.0 - value if key.startswith("theta_") else value for key, value in found.items()}

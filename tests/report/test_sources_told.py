@@ -57,4 +57,4 @@ def test_a_condition_that_is_met_says_so_and_gives_no_reason_twice() -> None:
 def test_readings_of_a_station_stand_with_their_table() -> None:
     steps = vecpoly.load("cam-roller-offset").solve(by="exact").construction.steps
     (shown,) = (step for step in steps if step.listing is not None)
-    assert {plain(line).split(" = ")[0] for line in shown.formulas} == {"α_60", "r_60"}
+    assert {plain(line).split(" = ")[0] for line in shown.formulas} == {"α_60", "r_60", "θ_60"}

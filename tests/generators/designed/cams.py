@@ -38,7 +38,7 @@ def cam(rng: np.random.Generator) -> str:
         "turns": str(rng.choice(["ccw", "cw"])),
         "motion": _motion(rng, by),
     }
-    find = "rho_min, r_60" if "flat" in key else "alpha_max, rho_min, r_60, alpha_60"
+    find = "rho_min, r_60, theta_60" if "flat" in key else "alpha_max, rho_min, r_60, theta_60, alpha_60"
     find += "" if key == "knife" else ", undercut"
     return task("cam", data, find, "device")
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from ...names import Named
+from ...plane import Reals
 
 S0, PSI0 = Named("s0", "s_0", "mm"), Named("psi0", "ψ_0", "deg")
 ALPHA = Named("alpha_max", "α_{max}", "deg")
@@ -29,3 +32,15 @@ def pressure(phi: float) -> Named:
 def radius(phi: float) -> Named:
     """How far the profile's point of a station is from O: r_45."""
     return Named(f"r_{phi:g}", f"r_{{{phi:g}}}", "mm")
+
+
+def polar(phi: float) -> Named:
+    """From the profile's first point round to that of a station, counter-clockwise as seen from O (deg): theta_45."""
+    return Named(f"theta_{phi:g}", f"θ_{{{phi:g}}}", "deg")
+
+
+def in_turn(theta: Reals, phi: float, sense: int) -> Reals:
+    """θ as it is told of a station that the cam reaches after φ (deg): of the turn about the place where the inversion
+    has the follower, so that a point just before the first one is a little under nothing, not under 360°."""
+    least = ((-sense * phi) % 360.0 - 180.0) / 6.0
+    return np.mod(theta - least, 360.0) + least

@@ -38,6 +38,7 @@ from .asked import (
     UNDERCUT,
     UNDERCUT_FLAT,
     E,
+    polar,
     pressure,
     radius,
     travel,
@@ -176,14 +177,15 @@ class Cam(Device):
         if self.alpha is not None:
             return (R0, E, S0, *APEX, CENTRAL)
         here = [round(degrees(phi), 6) for phi, _ in self.places]
-        moved = [travel(phi, swings=bool(self.arm)) for phi in here if phi]  # at the start it is nothing
+        moved = [travel(phi, swings=bool(self.arm)) for phi in here if phi]  # at the start it is nothing, as is θ
+        points = (*(radius(phi) for phi in here), *(polar(phi) for phi in here if phi))
         if self.follower.flat and self.arm:
-            return (PSI0, RHO, UNDERCUT_FLAT, NEAREST, FARTHEST, *moved, *(radius(phi) for phi in here))
+            return (PSI0, RHO, UNDERCUT_FLAT, NEAREST, FARTHEST, *moved, *points)
         if self.follower.flat:
-            return (RHO, UNDERCUT_FLAT, REACH_RISE, REACH_BACK, *moved, *(radius(phi) for phi in here))
+            return (RHO, UNDERCUT_FLAT, REACH_RISE, REACH_BACK, *moved, *points)
         first = (PSI0 if self.arm else S0, ALPHA, ALPHA_RISE, ALPHA_BACK, RHO)
         whole = (*first, RHO_PROFILE, UNDERCUT) if self.follower.roller else first
-        return (*whole, *moved, *(pressure(phi) for phi in here), *(radius(phi) for phi in here))
+        return (*whole, *moved, *(pressure(phi) for phi in here), *points)
 
     def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
         """That corners have no radius of curvature, where the least one is asked."""

@@ -36,8 +36,12 @@ _STATIONS = {
     "psi": Words("时摆杆的摆角", "the arm's angle"),
     "alpha": Words("时的压力角", "the pressure angle"),
     "r": Words("时廓线上点的向径", "the distance of the profile from the cam's axis"),
+    "theta": Words(
+        "时廓线上点的极角（自起始点的径线按逆时针量）",
+        "the profile's polar angle (counter-clockwise from the radius to its first point)",
+    ),
 }
-_STATION = re.compile(r"(s|psi|alpha|r)_(\d+(?:\.\d+)?)")
+_STATION = re.compile(r"(s|psi|alpha|r|theta)_(\d+(?:\.\d+)?)")
 
 
 def meant_by(subject: object, key: str, symbol: str) -> Words | None:

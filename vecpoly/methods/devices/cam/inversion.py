@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ....board.board import Board
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
-from ....devices.cams.asked import PSI0, S0, pressure, radius
+from ....devices.cams.asked import PSI0, S0, polar, pressure, radius
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
 from ....diagram.cams.plate import arm, cam_pivot, face_arm, stem
@@ -19,7 +19,7 @@ from .diagram import Station, place_of
 from .laws import lift
 from .numbered import beyond_faces, beyond_pivots, beyond_rollers, on_profile
 from .pose import Pose, pose
-from .read.readings import acute, length, noted
+from .read.readings import acute, length, noted, turned
 from .read.stations import stations_read
 from .words.inversion import enveloped, opening, turning
 
@@ -173,6 +173,8 @@ def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
         noted(bench, named, 1e3 * scale.value * on_paper.value, on_paper.value, letters, scale.symbol)
         if not cam.follower.flat:
             noted(bench, pressure(cut.station.name), acute(bench, cut.pose.way, cut.pose.normal))
+    for cut in cuts[1:]:
+        noted(bench, polar(cut.station.name), turned(bench, cam, cut.station.name, cuts[0].touch, cut.touch))
     board.tabulate(stations_read(bench, cam, [cut.station for cut in cuts]))
 
 

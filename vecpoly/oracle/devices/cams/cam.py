@@ -6,6 +6,7 @@ from math import degrees
 
 import numpy as np
 
+from ....devices.cams.asked import in_turn
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
 from ..registry import Values, answers
@@ -80,12 +81,16 @@ def spoilt(device: Cam) -> bool:
 
 def _stations(device: Cam) -> dict[str, float]:
     found: dict[str, float] = {}
+    first = profile(device, device.pieces[0], np.zeros(1))
     for phi, piece in device.places:
         name, at = f"{round(degrees(phi), 6):g}", np.array([phi])
         s = float(raised(piece, at)[0][0])
         if phi:
             found |= {f"psi_{name}": degrees(s)} if device.arm else {f"s_{name}": 1e3 * s}
         found[f"r_{name}"] = 1e3 * float(np.abs(profile(device, piece, at))[0])
+        if phi:
+            turned = np.degrees(np.angle(profile(device, piece, at) / first))
+            found[f"theta_{name}"] = float(in_turn(turned, degrees(phi), device.sense)[0])
         if not device.follower.flat:
             found[f"alpha_{name}"] = degrees(float(pitch(device, piece, at).pressure[0]))
     return found

@@ -7,6 +7,8 @@ import numpy as np
 from .....algebra.quantity import Quantity, magnitude
 from .....algebra.worked import stated
 from .....board.construction import Place, Reading
+from .....devices.cams.asked import in_turn
+from .....devices.cams.cam import Cam
 from .....names import Named
 from .....plane import Points, Reals, nominal
 from ...bench import Bench
@@ -45,3 +47,8 @@ def acute(bench: Bench, one: Points, other: Points) -> Reals:
     """The acute angle between two lines, read off the protractor (deg)."""
     read = np.degrees(np.abs(bench.board.gauge(0j, other / one)))
     return 90.0 - np.abs(90.0 - read)
+
+
+def turned(bench: Bench, cam: Cam, phi: float, first: Points, point: Points) -> Reals:
+    """From the ray to the profile's first point round to that of a station, counter-clockwise (deg)."""
+    return in_turn(np.degrees(bench.board.gauge(0j, point / first)), phi, cam.sense)

@@ -1,4 +1,4 @@
-"""What is read at the stations of a cam, as a table: number, φ, s or ψ, r, and the pressure angle."""
+"""What is read at the stations of a cam, as a table: number, φ, s or ψ, r and θ, and the pressure angle."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from .....algebra.columns import column, places_of
 from .....algebra.quantity import number
 from .....board.construction import Listing
-from .....devices.cams.asked import pressure, radius, travel
+from .....devices.cams.asked import polar, pressure, radius, travel
 from .....devices.cams.cam import Cam
 from .....words import Words
 from ...bench import Bench
@@ -19,10 +19,16 @@ TENTH = 0.1  # mm of a rule, degrees of a protractor
 def stations_read(bench: Bench, cam: Cam, stations: Sequence[Station]) -> Listing:
     """A row for every station, in the order of the cam's angle."""
     level = Words.same("$ψ$ /°" if cam.arm else "$s$ /mm")
-    head: tuple[Words, ...] = (Words("点", "No."), Words.same("$φ$ /°"), level, Words.same("$r$ /mm"))
+    head: tuple[Words, ...] = (
+        Words("点", "No."),
+        Words.same("$φ$ /°"),
+        level,
+        Words.same("$r$ /mm"),
+        Words.same("$θ$ /°"),
+    )
     if not cam.follower.flat:
-        head = (*head, Words.same("$α$ /°"))
-    named = [(travel(s.name, swings=bool(cam.arm)), radius(s.name), pressure(s.name)) for s in stations]
+        head += (Words.same("$α$ /°"),)
+    named = [(travel(s.name, swings=bool(cam.arm)), radius(s.name), polar(s.name), pressure(s.name)) for s in stations]
     columns = [_read(bench, [row[k].key for row in named]) for k in range(len(head) - 2)]
     numbers = tuple((f"{station.number}", number(station.name)) for station in stations)
     rows = tuple((*two, *row) for two, row in zip(numbers, zip(*columns, strict=True), strict=True))

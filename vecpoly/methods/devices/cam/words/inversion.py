@@ -5,6 +5,16 @@ from __future__ import annotations
 from .....devices.cams.cam import Cam
 from .....words import Words
 
+_POLAR = Words(
+    "廓线上各点的极坐标：到 $O$ 的距离 $r$ 和自起始点径线起按逆时针量的极角 $θ$",
+    "the polar coordinates of these points of the profile: the distance $r$ from $O$ and the angle $θ$, "
+    "counter-clockwise from the radius to the first of them",
+)
+_SIZES = Words(
+    "并量法线与从动件运动方向所夹的压力角 $α$（只计大小）",
+    "and the sizes of the pressure angles $α$ between the normal and the follower's motion",
+)
+
 
 def opening(cam: Cam) -> Words:
     """What is given is drawn."""
@@ -100,9 +110,9 @@ def enveloped(cam: Cam) -> Words:
     if cam.follower.flat:
         first = Words("平底各位置的包络线即凸轮廓线。", "The envelope of the face is the profile. ")
         last = Words(
-            "，与平底的交点即切点。量各切点到 $O$ 的距离 $r$，与位移线图上读得的值一并列表：",
-            "; it meets the face at the point of contact. Measure the distances $r$ of these points from $O$; the "
-            "table has them beside the values read off the diagram:",
+            f"，与平底的交点即切点。量{_POLAR.zh}，与位移线图上读得的值一并列表：",
+            f"; it meets the face at the point of contact. Measure {_POLAR.en}; the table has them beside the values "
+            "read off the diagram:",
         )
     elif cam.follower.roller:
         first = Words(
@@ -110,19 +120,15 @@ def enveloped(cam: Cam) -> Words:
             "Draw the circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
         )
         last = Words(
-            "，沿法线向内量 $r_r$ 得切点。量各切点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$"
-            "（只计大小），与位移线图上读得的值一并列表：",
-            ". Lay off $r_r$ inwards along the normal to find the point of contact. Measure the distances $r$ of these "
-            "points from $O$ and the sizes of the pressure angles $α$ between the normal and the follower's motion; "
+            f"，沿法线向内量 $r_r$ 得切点。量{_POLAR.zh}，{_SIZES.zh}，与位移线图上读得的值一并列表：",
+            f". Lay off $r_r$ inwards along the normal to find the point of contact. Measure {_POLAR.en}, {_SIZES.en}; "
             "the table has them beside the values read off the diagram:",
         )
     else:
         first = Words("尖顶从动件的理论廓线就是实际廓线。", "Under a knife edge the pitch curve is the profile. ")
         last = Words(
-            "。量各点到 $O$ 的距离 $r$ 和法线与从动件运动方向所夹的压力角 $α$（只计大小），"
-            "与位移线图上读得的值一并列表：",
-            ". Measure the distances $r$ of the points from $O$ and the sizes of the pressure angles $α$ between the "
-            "normal and the follower's motion; the table has them beside the values read off the diagram:",
+            f"。量{_POLAR.zh}，{_SIZES.zh}，与位移线图上读得的值一并列表：",
+            f". Measure {_POLAR.en}, {_SIZES.en}; the table has them beside the values read off the diagram:",
         )
     return first + _normal(cam) + last
 
