@@ -102,6 +102,9 @@ def _drawn(found: Verdicts, one: Graded) -> float:
 
 def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Iterator[Message]:
     said = why.said.get(one.key)
+    if outcome is Outcome.WRONG and one.key in found.contradicted:
+        yield message(Told.NOT_RIGHT)
+        return
     if outcome is Outcome.SENSE:
         yield message({Kind.SIGNED: Told.SENSE, Kind.VECTOR: Told.REVERSED}.get(one.kind, Told.SIGN))
     elif outcome is Outcome.DIRECTION:
@@ -177,7 +180,10 @@ def _digits(found: Verdicts, one: Graded, digits: int, rules: Rules) -> Iterator
 
 
 def _read(found: Verdicts, one: Graded) -> Iterator[Message]:
-    """A value against the student's own length × own μ."""
+    """A value against the student's own length × own μ, or against what else follows from it."""
+    if one.kind is not Kind.VECTOR and (follows := found.contradicted.get(one.key)) is not None:
+        own = _amount(one, follows.value)
+        yield message(Told.WRONG_FROM, src=found.key[one.line].symbol, v=_mine(found, one.line), own=own)
     if one.line not in found.given or one.mu not in found.key.scales or one.kind is not Kind.VECTOR:
         return
     if (mine := found.given.get(one.key)) is None:

@@ -10,6 +10,7 @@ from ...foundation.slotted import replace
 from ...problem.problem import Problem
 from ..compare.band import Target, target_of, weigh
 from ..compare.measured import Measured, UnitFault, measured
+from ..compare.of_length import contradicted
 from ..compare.outcome import Basis, Outcome
 from ..compare.own import Followed, Follower
 from ..key import AnswerKey, Graded, Kind
@@ -32,6 +33,7 @@ class Verdicts:
     """What is known of a sheet while it is marked. given: what can be compared; exact: outcome by the exact values.
 
     outcome, basis: the better of both; followed: what follows from own values, of what is not simply right.
+    contradicted: what follows from the own length beside a value that does not agree with it, though T is as wide.
     """
 
     key: AnswerKey
@@ -41,12 +43,17 @@ class Verdicts:
     exact: dict[str, Outcome]
     outcome: dict[str, Outcome]
     followed: Mapping[str, Followed]
+    contradicted: Mapping[str, Target]
     basis: dict[str, Basis] = field(default_factory=dict)
 
     def roots(self) -> list[Graded]:
         """What is wrong and does not follow from anything else that is, in the order of the construction."""
         wrong = (Outcome.WRONG, Outcome.SENSE, Outcome.DIRECTION)
-        return [one for one in self.key.quantities if self.outcome.get(one.key) in wrong]
+        return [
+            one
+            for one in self.key.quantities
+            if self.outcome.get(one.key) in wrong and one.key not in self.contradicted
+        ]
 
 
 def verdicts(problem: Problem, key: AnswerKey, sheet: Sheet, rules: Rules) -> Verdicts:
@@ -56,10 +63,12 @@ def verdicts(problem: Problem, key: AnswerKey, sheet: Sheet, rules: Rules) -> Ve
     for name, mine in given.items():
         exact[name] = weigh(mine, key[name], target_of(key[name]), key.allowance)
     follower = Follower(problem=problem, key=key, given=given, rules=rules)
+    against = contradicted(key, given, exact, follower)
+    exact |= dict.fromkeys(against, Outcome.WRONG)
     doubtful = [one for one in key.quantities if one.key in given and exact[one.key] is not Outcome.RIGHT]
     found = Verdicts(
         key=key, sheet=sheet, follower=follower, given=given, exact=exact, outcome=dict(exact),
-        followed=follower.follow(doubtful),
+        followed=follower.follow(doubtful), contradicted=against,
     )  # fmt: skip
     for one in doubtful:
         _better(found, one)
