@@ -1,5 +1,5 @@
-"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --kills N:
-damage, kill, and a table of what came of it."""
+"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --commands N | --kills N:
+damage, ask by lot, kill, and a table of what came of it."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .commands import commands, of_command
 from .files import damaged_files, damaged_tables
 from .kills import killed
 from .outcome import End, Outcome, of_file, of_table
@@ -22,6 +23,7 @@ def main() -> int:
     asked = argparse.ArgumentParser(prog="tests.fuzz", description=__doc__)
     asked.add_argument("--files", type=int, default=0)
     asked.add_argument("--tables", type=int, default=0)
+    asked.add_argument("--commands", type=int, default=0, help="command lines by lot")
     asked.add_argument("--kills", type=int, default=0)
     asked.add_argument("--seed", type=int, default=0)
     asked.add_argument("--report", action="store_true", help="set the report of what solves, too")
@@ -39,6 +41,8 @@ def main() -> int:
             )
         if told.tables:
             broken += _table("tables", outcomes(_table_file, damaged_tables(rng, told.tables, Path(folder))), told.keep)
+    if told.commands:
+        broken += _table("commands", outcomes(of_command, commands(rng, told.commands), SLOW), None, tell=True)
     for n in range(told.kills):
         with tempfile.TemporaryDirectory() as folder:
             wrong = killed(rng, Path(folder)).wrong
@@ -49,6 +53,9 @@ def main() -> int:
     return 1 if broken else 0
 
 
+SLOW = 120.0  # s of the processor for one command
+
+
 def _file(path: str, report: bool = False) -> Outcome:
     return of_file(Path(path), report)
 
@@ -57,13 +64,16 @@ def _table_file(path: str) -> Outcome:
     return of_table("A-27", Path(path))
 
 
-def _table(what: str, found: object, keep: Path | None) -> int:
+def _table(what: str, found: object, keep: Path | None, *, tell: bool = False) -> int:
+    """What came of all, and what broke; tell: each that did, as it does."""
     ends: Counter[str] = Counter()
     broken: Counter[str] = Counter()
     for task, outcome in found:  # type: ignore[attr-defined]
         ends[outcome.end] += 1
         if outcome.end in (End.TRACEBACK, End.HANG):
             broken[outcome.said] += 1
+            if tell:
+                print(f"{outcome.end}: vecpoly {task}: {outcome.said}", flush=True)
             if keep is not None and broken[outcome.said] == 1:
                 keep.mkdir(parents=True, exist_ok=True)
                 (keep / f"{what}-{sum(broken.values())}{Path(task).suffix}").write_bytes(Path(task).read_bytes())

@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.fuzz.__main__ import _file, _table_file
+from tests.fuzz.__main__ import SLOW, _file, _table_file
+from tests.fuzz.commands import commands, of_command, printed, spoilt
 from tests.fuzz.files import damaged_files, damaged_tables
 from tests.fuzz.kills import killed
 from tests.fuzz.outcome import End, Outcome
@@ -34,6 +35,29 @@ def test_no_damaged_table_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:
         ends[outcome.end] += 1
         assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\n{path}"
     assert ends[End.SOLVED] and ends[End.REFUSED] > 10
+
+
+def test_no_command_line_ends_in_a_traceback_or_spoils_a_file() -> None:
+    """Commands, options and values by lot, in a folder with files that are and files that are none."""
+    ends = Counter[End]()
+    for line, outcome in outcomes(of_command, commands(np.random.default_rng(11), often(16, 800)), SLOW):
+        ends[outcome.end] += 1
+        assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\nvecpoly {line}"
+    assert ends[End.SOLVED] and ends[End.REFUSED]
+
+
+def test_what_a_command_spoils_is_seen(tmp_path: Path) -> None:
+    """A file that was given and is changed, an empty one, one left behind: the judge of commands tells of each."""
+    (tmp_path / "given.yaml").write_text("id: x")
+    before = printed(tmp_path)
+    assert not spoilt(tmp_path, before, 0)
+    (tmp_path / "empty.pdf").touch()
+    assert spoilt(tmp_path, before, 0) == "empty.pdf is empty"
+    (tmp_path / "empty.pdf").unlink()
+    (tmp_path / "tmp1").write_text("x")
+    assert spoilt(tmp_path, before, 0) == "tmp1 was left behind"
+    (tmp_path / "given.yaml").write_text("id: y")
+    assert spoilt(tmp_path, before, 0) == "given.yaml was overwritten"
 
 
 def test_a_killed_run_leaves_whole_files_or_none(tmp_path: Path) -> None:
