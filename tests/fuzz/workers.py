@@ -36,7 +36,7 @@ class Worker:
 
     def _start(self) -> None:
         self.pipe, inner = mp.Pipe()
-        self.process = mp.get_context("fork").Process(target=_work, args=(inner, self.act, self.limit), daemon=True)
+        self.process = mp.get_context("fork").Process(target=_work, args=(inner, self.act, self.limit))
         self.process.start()
         inner.close()
 
