@@ -31,7 +31,7 @@ AGREE = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Varied:
-    """A text with ranges, and what came of it: why it was refused, how many variants were drawn, what is wrong with them."""
+    """A text with ranges; why it was refused, or how many variants were drawn, and what is wrong with them."""
 
     text: str
     refused: str = ""
