@@ -186,7 +186,9 @@ def test_a_mirrored_cam_has_the_same_answers(data: dict[str, Any]) -> None:
     one, other = (
         device_answers(device("cam", **data)), device_answers(device("cam", **data | {"follower": end, "turns": "cw"}))
     )  # fmt: skip
-    assert mirrored(other) == pytest.approx(one, rel=1e-9, abs=1e-9)
+    assert mirrored({key: float(np.real(value)) for key, value in other.items()}) == pytest.approx(
+        one, rel=1e-9, abs=1e-9
+    )
 
 
 @pytest.mark.parametrize("case", ["roller-1", "roller-3", "osc-1"])

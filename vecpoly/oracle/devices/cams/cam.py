@@ -89,8 +89,8 @@ def _stations(device: Cam) -> dict[str, float]:
             found |= {f"psi_{name}": degrees(s)} if device.arm else {f"s_{name}": 1e3 * s}
         found[f"r_{name}"] = 1e3 * float(np.abs(profile(device, piece, at))[0])
         if phi:
-            turned = np.degrees(np.angle(profile(device, piece, at) / first))
-            found[f"theta_{name}"] = float(in_turn(turned, degrees(phi), device.sense)[0])
+            turned = float(np.degrees(np.angle(profile(device, piece, at) / first))[0])
+            found[f"theta_{name}"] = float(in_turn(turned, degrees(phi), device.sense))
         if not device.follower.flat:
             found[f"alpha_{name}"] = degrees(float(pitch(device, piece, at).pressure[0]))
     return found
