@@ -305,3 +305,10 @@ def test_a_formula_in_larger_type_is_the_same_formula_enlarged(node: Node) -> No
     pairs = zip(small.items, large.items, strict=True)
     assert all((b.x, b.y) == pytest.approx((2.5 * a.x, 2.5 * a.y)) for a, b in pairs)
     assert (large.width, large.height) == pytest.approx((2.5 * small.width, 2.5 * small.height))
+
+
+def test_in_a_picture_an_index_stands_below_its_letter_and_a_power_above() -> None:
+    """y of SVG goes down the page."""
+    group = ElementTree.fromstring(svg_group(layout(Power(body=sym("v_B"), exponent="2"), EM), 10.0, 20.0))
+    at = {one.text: float(one.attrib["y"]) for one in group.iter("text")}
+    assert at["v"] == pytest.approx(20.0) and at["B"] > 20.4 and at["2"] < 19.6

@@ -65,3 +65,11 @@ def test_the_gate_reads_per_cent_and_keeps_its_defaults() -> None:
     assert (gate.meetings, gate.apart) == (Gate().meetings, Gate().apart)
     with pytest.raises(ProblemFileError, match="cannot be negative"):
         vecpoly.loads(TEXT + "gate: {apart: -1}\n")
+
+
+def test_of_an_angle_that_counts_from_a_line_the_angle_alone_varies() -> None:
+    """210 deg from EG becomes 205 deg from EG; where the link has a line of its own it is not lost."""
+    leg = vecpoly.loads("id: r\ntitle: r\nextends: klann-leg\nvary: {angle_H: 200 deg .. 220 deg by 5 deg}\n")
+    assert leg.ranges[0].at(1) == "205 deg"
+    told = vecpoly.load("klann-leg").vary(angle_H="205 deg").text
+    assert '"EH": "89.7 mm", "angle": "205 deg from EG"' in told
