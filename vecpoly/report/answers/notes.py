@@ -5,10 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ...algebra.quantity import number
 from ...board.said.short import TOO_SHORT
 from ...printed.digits import coarse, is_hopeless, on_paper
-from ...solution import Answer, Solution
+from ...solution import Answer
 from ...words import Lang, Words
 from ..values import is_worded
 
@@ -19,22 +18,12 @@ UNREADABLE = Words(
     "误差达读数的一半以上，按本图的比例尺读不准", "not to be read at this scale, with an error of half of it or more"
 )
 INSTEAD = Words("应放大比例尺或用计算求得", "draw it larger, or compute it")
-_READ_BY = Words("图上量取所用比例尺：", "Read off with ")
 COARSE = Words("读数误差可达", "reading error up to")
 
 
 def notes_of(answers: Sequence[Answer], lang: Lang) -> tuple[str, ...]:
     """The notes of these answers, a line each."""
     return (*_remarks(answers, lang), *_hardly(answers, lang))
-
-
-def scales_of(answers: Iterable[Answer], solution: Solution, lang: Lang) -> tuple[str, ...]:
-    """By which scales lengths on paper became answers; nothing where none did."""
-    used = {one.reading.scale for one in answers if one.reading.mm is not None and not one.computed}
-    every = [scale for one in solution.construction.figures for scale in (one.scale, one.scale.right)]
-    scales = {scale.symbol: scale.told for scale in every if scale.symbol in used}
-    told = [f"${symbol}$ = {number(scale.value)} {scale.per_mm}" for symbol, scale in scales.items() if symbol]
-    return (f"{_READ_BY.of(lang)}{_listed(told, lang)}",) if told else ()
 
 
 def remark_of(answer: Answer, lang: Lang) -> str:

@@ -18,6 +18,8 @@ from .placed import gaps, reaches
 from .tables import deviation_told, tabled
 
 ILL, ILL_ANGLE = 2.0, 3.0  # mm on paper, degrees: what may be off by more is hardly found by drawing
+FEW = 6  # rows of which the largest deviation is seen at once
+PAIR = 2  # names that are told with their errors; of more these are seen in the table
 _UNITS = {"": " %", "°": "°", "mm": " mm"}
 
 
@@ -103,6 +105,8 @@ def _whole(found: Sequence[_Off]) -> Words:
         return Words(
             f"除{told.zh} 外，各偏差均不超过预期误差。", f"Every deviation but {told.en} is within its expected error."
         )
+    if len(found) <= FEW:
+        return Words("各偏差均不超过预期误差。", "Every deviation is within its expected error.")
     return Words(
         f"各偏差均不超过预期误差，最大的是{told.zh}。",
         f"Every deviation is within its expected error; the largest {'is' if len(most) == 1 else 'are'} {told.en}.",
@@ -139,6 +143,8 @@ def _ill(found: Sequence[_Off]) -> Words | None:
     if not found:
         return None
     named = joined([_with(one.name, Words.same(f"±{one.amount(one.error)}")) for one in found])
+    if len(found) > PAIR:
+        named = joined([Words.same(one.name) for one in found])
     verb, s = ("is", "") if len(found) == 1 else ("are", "s")
     return Words(
         f"{named.zh.lstrip()} 由作图不易准确求得，应以计算值为准。",
