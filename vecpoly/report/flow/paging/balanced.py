@@ -13,8 +13,8 @@ from .loose import OPENEST, grown
 from .sectioned import HALF, heads, settled
 from .setting import tightened
 
-ENOUGH, LAST = 0.88, 0.3  # of a page of text (30 mm are left), and of the last one: what is filled so far looks full
-_SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 6)))
+ENOUGH, LAST = 0.88, 0.8  # of a page of text, and of the last one: what is filled so far looks full
+_SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 8)))  # a page that would be half empty is worth a wider setting
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
 _Score = tuple[int, int, int, int, int, float]
 
@@ -43,8 +43,7 @@ def emptiness(filled: Sequence[float]) -> float:
 
 
 def _score(doc: ReportDoc) -> _Score:
-    *others, last = doc.filled
-    thin = sum(full < HALF for full in others) + (last < LAST)
+    thin = sum(full < HALF for full in doc.filled)
     return int(doc.page), len(doc.widows), doc.parted, thin, doc.gaps, round(emptiness(doc.filled), 4)
 
 
