@@ -9,7 +9,7 @@ from ...board.said.short import TOO_SHORT
 from ...printed.digits import coarse, is_hopeless, on_paper
 from ...solution import Answer
 from ...words import Lang, Words
-from ..values import is_worded
+from ..values import is_worded, value
 
 # keys of conditions whose yes says all: their reason is in the steps
 PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
@@ -65,12 +65,17 @@ def _symbol(answer: Answer) -> str:
 def _hardly(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:
     """What is too short on paper, or not to be read at all; the verdict of the check names what is read coarsely."""
     short = [f"${one.reading.symbol}$ {on_paper(one)} mm" for one in answers if one.short]
-    lost = [f"${one.reading.symbol}$" for one in answers if is_hopeless(one)]
-    instead = f"（{INSTEAD.zh}）" if lang == "zh" else f" ({INSTEAD.en})"
-    heads = (Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang), UNREADABLE.of(lang) + instead)
+    lost = [_computed(one, lang) for one in answers if is_hopeless(one)]
+    heads = (Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang), UNREADABLE.of(lang))
     for head, symbols in zip(heads, (short, lost), strict=True):
         if symbols:
             yield f"{head[0].upper()}{head[1:]}{_COLON[lang]}{_listed(symbols, lang)}"
+
+
+def _computed(answer: Answer, lang: Lang) -> str:
+    """What cannot be read, with its computed value."""
+    told = value(answer.exact, answer.reading.unit, lang, answer.key)
+    return Words(f"${answer.reading.symbol}$ 的计算值 {told}", f"${answer.reading.symbol}$, computed: {told}").of(lang)
 
 
 _COLON: dict[Lang, str] = {"zh": "：", "en": ": "}
