@@ -122,7 +122,7 @@ class Bench:
         )
         return result
 
-    def kept(self, named: Named, quantity: Quantity) -> Quantity:
+    def told_otherwise(self, named: Named, quantity: Quantity) -> Quantity:
         """Keep a quantity that has a line already, under another name, or that is given."""
         size = float(nominal(quantity.value))
         self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=size), quantity.value)

@@ -51,7 +51,7 @@ def _sought(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity, has
     wanted = swing / (omega.squared() * allowed)
     if has is None:
         found = bench.worked(asked.J_F, wanted)
-        bench.kept(asked.J_NEED, found)
+        bench.told_otherwise(asked.J_NEED, found)
     else:
         found = bench.worked(asked.J_F, bench.worked(asked.J_NEED, wanted) - has)
     if nominal(found.value) < 0:
@@ -85,7 +85,7 @@ def _unevenness(
     if allowed is None:
         delta = bench.worked(asked.DELTA, swing / (whole * omega.squared()))
     else:
-        delta = bench.kept(asked.DELTA, allowed)
+        delta = bench.told_otherwise(asked.DELTA, allowed)
     for named, sign in ((asked.OMEGA_MAX, 1), (asked.OMEGA_MIN, -1)):
         factor = ONE + delta / TWO if sign > 0 else ONE - delta / TWO
         speed = bench.worked(named, omega * factor)
