@@ -7,7 +7,7 @@ from itertools import pairwise
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 
-READS_A_TURN = ("Measure $", "Point $")  # ω = v/l, or no velocity and so no ω
+READS_A_TURN = ("Find $ω", "Point $")  # ω = v/l, or no velocity and so no ω
 
 
 @each(IDS)

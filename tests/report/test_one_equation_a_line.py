@@ -13,12 +13,14 @@ from vecpoly.algebra.formula import Row, Sym, Txt, plain
 from vecpoly.report.answers.alike import lines_of_twins
 from vecpoly.report.content import Objects
 from vecpoly.report.flow.base import Tightness
-from vecpoly.report.flow.formula import Formula, in_columns
+from vecpoly.report.flow.formula import Formula, in_columns, lines
 from vecpoly.report.flow.para import Para
 from vecpoly.report.flow.results.abreast import Abreast, abreast
-from vecpoly.report.steps.lines import chained, displayed, together
+from vecpoly.report.flow.style import BODY
+from vecpoly.report.steps.lines import chained, displayed, measured_once, together
 from vecpoly.report.steps.sections import sections
 from vecpoly.typeset.box import MM
+from vecpoly.typeset.layout import SIGNS, layout, segments
 
 ROOM = 170.0 * MM
 
@@ -43,10 +45,11 @@ def test_a_step_sets_each_of_its_equations_by_itself(name: str) -> None:
     told = [step for section in sections(solution, "zh", objects) for step in section["steps"]]
     counts = {step["n"]: sum(len(_set_in(objects.named[ref])) for ref in step["formulas"]) for step in told}
     twins = lines_of_twins(solution, "zh")
-    shown = {
-        step.number: len([*together([*chained([twins.get(id(one), one) for one in displayed(step, solution)])])])
+    lines_of = {
+        step.number: [twins.get(id(one), one) for one in displayed(step, solution)]
         for step in solution.construction.steps
     }
+    shown = {n: len([*together([*chained([*measured_once(some)])])]) for n, some in lines_of.items()}
     assert counts == {number: shown[number] if counts[number] else 0 for number in counts}
     assert all(counts[number] or number in _runs(told, objects) for number in counts if shown[number])
     assert not any(",\u2003" in plain(line) for step in solution.construction.steps for line in step.formulas)
@@ -95,3 +98,13 @@ def test_equations_set_tightly_do_not_touch() -> None:
     made = formulas("v_B2| = 3 m/s", "v_B3| = 4 m/s")
     made[0].tighten(Tightness(white=0.1))
     assert made[0].spaceAfter > 2.0
+
+
+def test_a_sum_that_is_too_wide_breaks_before_a_sign_outside_brackets_and_keeps_its_size() -> None:
+    terms = " + ".join(f"R_{n} (y − z) sin (φ + θ)" for n in range(8))
+    found = lines(Txt(f"{terms} = 0"), BODY.em, 120.0)
+    assert len(found) > 1 and all(x + box.width <= 120.0 for x, box in found)
+    whole = layout(Txt(f"{terms} = 0"), BODY.em).width
+    assert sum(box.width for _, box in found) > 0.95 * whole, "no smaller than it was"
+    parts = segments(Txt(f"{terms} = 0"), BODY.em, before=True, at=SIGNS)
+    assert len(parts) == 8 + 1, "eight terms and the right side"

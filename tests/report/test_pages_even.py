@@ -9,7 +9,7 @@ from tests.laws import few
 from tests.report.test_pages_filled import META, laid_out, text
 from vecpoly.report.flow.blocks import SheetPage
 from vecpoly.report.flow.doc import ReportDoc
-from vecpoly.report.flow.paging.balanced import balanced, emptiness
+from vecpoly.report.flow.paging.balanced import LEAST, balanced, emptiness
 from vecpoly.words import Lang
 
 HALF_EMPTY = ("7-6", "3-4a-straight", "shaper-flywheel", "dump-hoist", "8-6", "tipper", "C-conveyor")  # as they were
@@ -17,11 +17,12 @@ HALF_EMPTY = ("7-6", "3-4a-straight", "shaper-flywheel", "dump-hoist", "8-6", "t
 
 @pytest.mark.parametrize("name", few(HALF_EMPTY, 2))
 @pytest.mark.parametrize("lang", few(["zh", "en"], 2))
-def test_every_page_of_a_report_is_more_than_half_full(name: str, lang: Lang) -> None:
+def test_every_page_of_a_report_but_the_last_is_nearly_full(name: str, lang: Lang) -> None:
     solution = drafted(name)  # as it is printed: an exact hand has no deviations to check
     assert solution is not None
     doc = laid_out([solution], lang)
-    assert min(doc.filled) > 0.5
+    *others, last = doc.filled
+    assert min(others) > 0.7 and last >= LEAST
     assert not doc.widows and not doc.parted
 
 
@@ -36,7 +37,7 @@ def test_a_text_of_little_more_than_a_page_is_spread_over_two() -> None:
 
 def test_a_text_that_fills_its_pages_is_left_as_it_is() -> None:
     sheet = SheetPage(lambda canvas, x, y: None, title="s")
-    story = [*text(62), sheet]
+    story = [*text(72), sheet]
     doc = ReportDoc(story, META)
     doc.counted()
     assert balanced(doc, story) is doc

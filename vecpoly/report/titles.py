@@ -17,7 +17,7 @@ class Kind(Enum):
     """What a problem is about."""
 
     KINEMATICS = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
-    TRANSMISSION = Words("机构压力角与传动角图解作业", "Pressure and transmission angles, graphically")
+    TRANSMISSION = Words("机构压力角与传动角图解作业", "Graphical determination of pressure and transmission angles")
     FORCES = Words("平面机构力分析图解作业", "Graphical force analysis of planar mechanisms")
     STRUCTURE = Words("平面机构结构分析作业", "Structure of planar mechanisms")
     SYNTHESIS = Words("平面连杆机构综合图解作业", "Graphical synthesis of planar linkages")

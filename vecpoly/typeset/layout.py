@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from typing import assert_never
 
 from ..algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec
@@ -15,6 +15,9 @@ from .runs import SCRIPT, SHOWN, SUB, SUB_BOTH, SUP, index, letters, roman_or_it
 
 AXIS = 0.26  # height of the bar of a fraction and of the minus sign, em
 BAR = 0.05  # thickness of bars, em
+Cuts = frozenset[Kind]
+RELATIONS: Cuts = frozenset({Kind.RELATION})  # where a formula is cut into lines
+SIGNS: Cuts = frozenset({Kind.RELATION, Kind.BINARY})
 SIMILAR, GROWN = "∽∼", 1.2  # signs that the face has too small between triangles, and how much larger they are set
 TRIANGLE, SHRUNK = "△", 0.8  # a sign that the face has larger than the letters behind it
 
@@ -132,20 +135,21 @@ def _tall(bracket: Box, height: float, em: float) -> Box:
 
 
 @lru_cache(maxsize=4096)
-def segments(node: Node, em: float, bold: bool = False, *, before: bool, at: Kind = Kind.RELATION) -> tuple[Box, ...]:
-    """The formula cut before (or after) its relations: lines of a display, pieces of running text."""
+def segments(node: Node, em: float, bold: bool = False, *, before: bool, at: Cuts = RELATIONS) -> tuple[Box, ...]:
+    """The formula cut before (or after) its relations: lines of a display, pieces of running text. at: and before its
+    plus and minus signs outside brackets, or elsewhere."""
     return tuple(_set(part, em, bold) for part in _cut(node, before, at))
 
 
 def pieces(node: Node) -> tuple[str, ...]:
     """What the pieces of running text, cut after the relations, say: plain text in the order of reading."""
-    return tuple(written(part) for part in _cut(node, False, Kind.RELATION))
+    return tuple(written(part) for part in _cut(node, False, RELATIONS))
 
 
 def halves(node: Node, piece: str, em: float, bold: bool = False) -> list[tuple[tuple[Box, str], tuple[Box, str]]]:
     """A piece of running text (or a whole formula) cut in two after each of its signs, with what the halves say."""
     whole = atoms((node,))
-    row = next((part for part in _cut(node, False, Kind.RELATION) if written(part) == piece), whole)
+    row = next((part for part in _cut(node, False, RELATIONS) if written(part) == piece), whole)
     cuts = [i + 1 for i, atom in enumerate(row[:-1]) if _ends_a_line(atom)]
     parts = ((row[:cut], row[cut:]) for cut in cuts)
     return [((_set(a, em, bold), written(a)), (_set(b, em, bold), written(b))) for a, b in parts]
@@ -156,9 +160,15 @@ def _ends_a_line(atom: Atom) -> bool:
     return atom.kind in (Kind.RELATION, Kind.BINARY) or (atom.kind is Kind.TIGHT and atom.body == "/" and atom.spaced)
 
 
-def _cut(node: Node, before: bool, at: Kind) -> list[list[Atom]]:
+def _cut(node: Node, before: bool, at: Cuts) -> list[list[Atom]]:
     row = atoms((node,))
-    cuts = [i if before else i + 1 for i, atom in enumerate(row) if atom.kind is at]
+    steps = ((atom.kind is Kind.OPEN) - (atom.kind is Kind.CLOSE) for atom in row)
+    depths = list(accumulate(steps))
+    cuts = [
+        i if before else i + 1
+        for i, atom in enumerate(row)
+        if atom.kind in at and not (atom.kind is Kind.BINARY and depths[i] > 0)
+    ]
     edges = [0, *(cut for cut in cuts if 0 < cut < len(row)), len(row)]
     return [row[a:b] for a, b in pairwise(edges) if b > a]
 

@@ -50,7 +50,7 @@ def _opened(part: Part, own: Equation, ways: list[Equation]) -> tuple[Part, ...]
     solved = any(own.right in (one.left, one.right) for one in part.equations)
     both = part.equations and not solved
     first = (part, Part(Words("故", "hence"), (own,))) if both else (Part(part.said, (own,)),)
-    rest = (Part(Words("由此得", "and with it"), tuple(ways)),) if ways else ()
+    rest = (Part(Words("由此得", "hence"), tuple(ways)),) if ways else ()
     return (*first, *rest)
 
 

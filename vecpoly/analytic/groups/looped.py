@@ -59,7 +59,7 @@ def looped(scope: Scope, group: Group) -> GroupModel:
             "接近该位置时方程组病态，牛顿法也难以收敛。",
             f"Where ${DETERMINANT}$ = det $J$ vanishes, the group is singular and its velocities are "
             "not determined; near there the equations are ill-conditioned, and Newton's method "
-            "fails to settle.",
+            "does not converge.",
         ),
     )
 
@@ -116,7 +116,7 @@ def _geared(group: Group, names: list[str]) -> tuple[Words, Words]:
     listed, listed_en = "、".join(names), ", ".join(names)
     noun = "links" if len(names) > 1 else "link"
     return (
-        Words(f"齿轮（齿条）传动的杆组（构件 {listed}）", f"The group of gears or racks ({noun} {listed_en})"),
+        Words(f"含齿轮副的杆组（构件 {listed}）", f"The group with gear pairs ({noun} {listed_en})"),
         Words(
             f"该杆组由构件 {listed} 组成，其中有纯滚动。节点处速度恒相同，故自题设位置起两轮滚过的弧长相等"
             "（齿条则为移动的距离）；各节点的常数 $θ$ 由题设位置定出，转角以弧度计，不跳变整周。"
@@ -206,5 +206,5 @@ def _rates(loops: Loops, title: Words, letter: str, sides: tuple[Expr, ...], ord
         f"({_listed(letter, len(sides)).en})ᵀ, with the right sides",
     )
     equations = tuple(Equation(Var(f"{letter}_{{{i}}}"), side) for i, side in enumerate(sides, 1))
-    rest = (Part(Words("由此得", "and with it"), tuple(more)),) if more else ()
+    rest = (Part(Words("由此得", "hence"), tuple(more)),) if more else ()
     return Stage(title, (Part(said, equations), *rest))

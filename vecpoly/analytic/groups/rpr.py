@@ -162,7 +162,7 @@ def _acceleration(scope: Scope, it: Swing, turning: Turning) -> tuple[Part, ...]
         Part(
             Words(
                 "再求导一次（末项的系数 2 来自哥氏加速度），得",
-                "Differentiating once more gives (the term with the factor 2 is Coriolis')",
+                "Differentiating once more gives (the last term, with the factor 2, is the Coriolis acceleration)",
             ),
             both(
                 (afx, afy),

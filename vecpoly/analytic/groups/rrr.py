@@ -55,10 +55,7 @@ def _position(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
             ),
             (Equation(j.angle, angle - j.turn),),
         ),
-        Part(
-            Words("由此得", "and with it"),
-            (*both(scope.xy(c), j.tip(scope)), Equation(k.angle, k.angle_from(scope, c))),
-        ),
+        Part(Words("由此得", "hence"), (*both(scope.xy(c), j.tip(scope)), Equation(k.angle, k.angle_from(scope, c)))),
     )
 
 

@@ -20,8 +20,7 @@ def told(one: Verified, alone: bool) -> Words:
         )
     own = Words("", "") if one.assumed is None else Words("和", " and ") + one.assumed
     head = Words(
-        f"校核（{zh}按量得的长度{own.zh}用解析法运动一周）：",
-        f"Check{en}, moved through its cycle with the lengths read{own.en}: ",
+        f"校核（{zh}按量得的长度{own.zh}用解析法计算）：", f"Check{en}, computed with the lengths read{own.en}: "
     )
     parts = list(_parts(one))
     said = head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
@@ -140,12 +139,10 @@ def _loose(one: Verified, alone: bool) -> Words | None:
     """That lengths hardly follow from the drawing."""
     if not one.loose:
         return None
-    parts = ", ".join(f"${_symbol(key)}$ ±{100 * off:.1f} %" for key, off in one.loose.items())
+    parts = ", ".join(f"${_symbol(key)}$" for key in one.loose)
     zh, en = ("", "") if alone else (f"（解 {one.number}）", f" (solution {one.number})")
-    such = Words("该长度", "This length") if len(one.loose) == 1 else Words("这些长度", "These lengths")
     return Words(
-        f"作图条件差{zh}，误差大：{parts.replace(', ', '、')}（预期作图误差超过 {100 * LOOSE:g} %），"
-        f"{such.zh}对作图误差很敏感，宜用解析法求得。",
-        f"Ill-conditioned construction{en}: {parts}, an expected drawing error above {100 * LOOSE:g} %. "
-        f"{such.en} should be found by calculation.",
+        f"作图条件差{zh}：{parts.replace(', ', '、')} 的预期作图误差超过 {100 * LOOSE:g} %，宜用解析法求得。",
+        f"Ill-conditioned construction{en}: the expected drawing error of {parts} is above {100 * LOOSE:g} %; find "
+        f"{'it' if len(one.loose) == 1 else 'them'} by calculation.",
     )

@@ -9,6 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from ...mechanism.loads import Moment
 from ...oracle.forces import Cause
 from ...oracle.forces.acting import given, sought
 from ...oracle.forces.pairs import Pair, pairs_of
@@ -166,11 +167,21 @@ def _codes(cycle: Cycle, phi: Reals) -> Codes:
     statics, count = sample(cycle.mech, cycle.loads, phi).statics, len(_names(cycle))
     powers = np.array([np.broadcast_to(p, phi.shape) for p in (*statics.powers[: count - 1], statics.powers[-1])])
     with np.errstate(invalid="ignore"):
-        small = _NOTHING * np.nanmax(np.abs(powers), axis=0, initial=0.0)
+        small = np.maximum(_NOTHING * np.nanmax(np.abs(powers), axis=0, initial=0.0), _NOTHING * _capacity(cycle))
         digits = np.where(powers > small, 1, np.where(powers < -small, 2, 0))
     signs = (digits * 3 ** np.arange(count)[:, None]).sum(axis=0)
     causes = statics.causes.astype(np.int_)
     return np.where(causes != Cause.NONE, causes, _CAUSES * signs)
+
+
+def _capacity(cycle: Cycle) -> float:
+    """The power that the largest of the given loads could have at the speed of the drive (W)."""
+    assert cycle.loads is not None
+    drive, reach = cycle.mech.drive, cycle.mech.scale
+    speed = abs(drive.rate) if drive.slide else abs(drive.rate) * reach
+    given_loads = [(load, load.size) for load in cycle.loads.all if load.size is not None]
+    sizes = (abs(size) / (reach if isinstance(load, Moment) else 1.0) for load, size in given_loads)
+    return speed * max(sizes, default=0.0)
 
 
 def _stretches(cycle: Cycle, codes: Callable[[Reals], Codes]) -> Iterator[tuple[float, float, int]]:

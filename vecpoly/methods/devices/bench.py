@@ -122,6 +122,12 @@ class Bench:
         )
         return result
 
+    def told_otherwise(self, named: Named, quantity: Quantity) -> Quantity:
+        """Keep a quantity that has a line already, under another name, or that is given."""
+        size = float(nominal(quantity.value))
+        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=size), quantity.value)
+        return quantity
+
     def counted(self, named: Named, value: float, otherwise: Mapping[Chance, float]) -> Quantity:
         """Keep a number that was counted, and what others make of it who count wrongly."""
         board, key = self.board, ascii_key(named.symbol)

@@ -57,15 +57,14 @@ def _begin(desk: Desk, view: View, name: str, ends: tuple[Points, Points], lette
     """Open the step; behind another link's turning no step is opened, but a sentence of that one begun."""
     board, (first, last) = desk.board, letters.split()
     none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
-    measured = f"${_braced(first)}{last}$"
     if desk.turning == len(board.steps) > 0 and board.here is view:
         if none:
             return Words(f" ${last}$ 与 ${first}$ 重合，故", f" Point ${last}$ coincides with ${first}$, so")
-        return Words(f"又由 {measured} 得 ${name}$：", f" The length {measured} gives ${name}$:")
+        return Words("又", " ")
     board.step(
         Words(f"${last}$ 与 ${first}$ 重合，故", f"Point ${last}$ coincides with ${first}$, so")
         if none
-        else Words(f"量取图上长度 {measured}，求 ${name}$。", f"Measure {measured} and find ${name}$."),
+        else Words(f"求 ${name}$：", f"Find ${name}$:"),
         view,
     )
     desk.turning = len(board.steps)
@@ -98,15 +97,10 @@ def _sense(name: str, symbol: str, point: str, value: float, again: bool) -> Wor
     way, way_en = ("逆时针方向", "counter-clockwise") if value > 0 else ("顺时针方向", "clockwise")
     if again:
         return Words(
-            f"将 ${symbol}$ 移至 ${point}$ 点，知其为{way}。", f" with ${symbol}$ placed at ${point}$ it is {way_en}."
+            f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。",
+            f"With ${symbol}$ placed at ${point}$, ${name}$ is {way_en}.",
         )
     return Words(
-        f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。",
-        f" Placing ${symbol}$ at ${point}$ shows that ${name}$ is {way_en}.",
+        f"将 ${symbol}$ 移至 ${point}$ 点，知其为{way}。",
+        f" placing ${symbol}$ at ${point}$ shows that it is {way_en}.",
     )
-
-
-def _braced(letter: str) -> str:
-    """A letter with its index, so that another may follow: s_{3}."""
-    base, _, index = letter.partition("_")
-    return f"{base}_{{{index}}}" if index and not index.startswith("{") and "^" not in index else letter

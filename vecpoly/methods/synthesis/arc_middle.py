@@ -77,8 +77,8 @@ def _again(primes: str, lies: tuple[str, str]) -> Words:
     return Words(
         f"同样，由圆 $η{primes}$ 上{lies[0]} $A{primes}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$ 得 $S{primes}$，"
         f"$C_{{2}}S{primes}$ 的延长线与 $η{primes}$ 交于 $A{primes}$。",
-        f"Likewise the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} gives $S{primes}$, and the "
-        f"line $C_{{2}}S{primes}$ meets $η{primes}$ at $A{primes}$.",
+        f"In the same way: $M{primes}$ is the midpoint of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]}; it gives "
+        f"$S{primes}$, and $C_{{2}}S{primes}$ meets $η{primes}$ at $A{primes}$.",
     )
 
 

@@ -28,8 +28,8 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     board.step(
         Words(
             "曲柄垂直于导路且 $B$ 离导路最远时压力角最大。按各杆长度作此位置，量连杆与导路的夹角。",
-            "The pressure angle is greatest with the crank square to the guide and $B$ as far from it as it gets. Draw "
-            "this position with the lengths of the links and read the angle between coupler and guide.",
+            "The pressure angle is greatest with the crank perpendicular to the guide and $B$ at its greatest "
+            "distance from it. Draw this position and measure the angle between coupler and guide.",
         ),
         place,
     )

@@ -1,5 +1,5 @@
-"""The box of answers of a problem: what was asked, one quantity a cell, as symbol = value (direction); then the scales
-by which they were read, the notes on them and what was concluded beside them."""
+"""The box of answers of a problem: what was asked, one quantity a cell, as symbol = value (direction); then the
+notes on them and what was concluded beside them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...words import Lang
 from ..flow.results.box import AnswerBox
 from .alike import twins
 from .line import answer_line
-from .notes import notes_of, scales_of
+from .notes import notes_of
 from .order import arranged, broken
 
 
@@ -21,7 +21,7 @@ def answer_box(
     parts = arranged(answers or solution.answers.values())
     idle = broken(solution)
     every = [one for part in parts for one in part.answers]
-    notes = (*notes_of(every, lang), *scales_of(every, solution, lang))
+    notes = notes_of(every, lang)
     same = twins(every)
     lines = [
         answer_line(one, solution, lang, heading=part.heading(lang, idle), also=_also(one, same), read=False)

@@ -99,8 +99,9 @@ def unlisted(solution: Solution) -> bool:
 
 
 def _settled(answer: Answer) -> bool:
-    """Whether it is no reading, and the same as the exact value."""
-    return counted(answer) or (answer.computed and not answer.is_place)
+    """Whether it is no reading, and the same as the exact value: a place that is given, too."""
+    seen = answer.is_place and not answer.expected_error and answer.drawn_vector == answer.exact_vector is not None
+    return counted(answer) or seen or (answer.computed and not answer.is_place)
 
 
 def _values(answers: Sequence[Answer], solution: Solution, lang: Lang) -> DataTable:

@@ -71,7 +71,7 @@ def moved_verdict(solution: Solution, lang: Lang) -> str:
     if not seen:
         return ""
     if not any(float(off) for off in seen.values()):
-        return Words("其运动与精确值一致。", "Its motion equals the exact one.").of(lang)
+        return Words("各值与精确值一致。", "All equal the exact values.").of(lang)
     told = joined([name + Words.same(f" {off}{unit or ' %'}") for (name, unit), off in seen.items()])
     return Words(f"与精确值的最大偏差：{told.zh}。", f"Largest deviations from the exact values: {told.en}.").of(lang)
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from ...algebra.quantity import number
 from ...board.said.short import TOO_SHORT
 from ...printed.digits import coarse, is_hopeless, on_paper
-from ...solution import Answer, Solution
+from ...solution import Answer
 from ...words import Lang, Words
-from ..values import is_worded
+from ..values import is_worded, value
 
 # keys of conditions whose yes says all: their reason is in the steps
 PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
@@ -19,22 +18,12 @@ UNREADABLE = Words(
     "误差达读数的一半以上，按本图的比例尺读不准", "not to be read at this scale, with an error of half of it or more"
 )
 INSTEAD = Words("应放大比例尺或用计算求得", "draw it larger, or compute it")
-_READ_BY = Words("图上量取所用比例尺：", "Read off with ")
 COARSE = Words("读数误差可达", "reading error up to")
 
 
 def notes_of(answers: Sequence[Answer], lang: Lang) -> tuple[str, ...]:
     """The notes of these answers, a line each."""
     return (*_remarks(answers, lang), *_hardly(answers, lang))
-
-
-def scales_of(answers: Iterable[Answer], solution: Solution, lang: Lang) -> tuple[str, ...]:
-    """By which scales lengths on paper became answers; nothing where none did."""
-    used = {one.reading.scale for one in answers if one.reading.mm is not None and not one.computed}
-    every = [scale for one in solution.construction.figures for scale in (one.scale, one.scale.right)]
-    scales = {scale.symbol: scale.told for scale in every if scale.symbol in used}
-    told = [f"${symbol}$ = {number(scale.value)} {scale.per_mm}" for symbol, scale in scales.items() if symbol]
-    return (f"{_READ_BY.of(lang)}{_listed(told, lang)}",) if told else ()
 
 
 def remark_of(answer: Answer, lang: Lang) -> str:
@@ -76,12 +65,17 @@ def _symbol(answer: Answer) -> str:
 def _hardly(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:
     """What is too short on paper, or not to be read at all; the verdict of the check names what is read coarsely."""
     short = [f"${one.reading.symbol}$ {on_paper(one)} mm" for one in answers if one.short]
-    lost = [f"${one.reading.symbol}$" for one in answers if is_hopeless(one)]
-    instead = f"（{INSTEAD.zh}）" if lang == "zh" else f" ({INSTEAD.en})"
-    heads = (Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang), UNREADABLE.of(lang) + instead)
+    lost = [_computed(one, lang) for one in answers if is_hopeless(one)]
+    heads = (Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang), UNREADABLE.of(lang))
     for head, symbols in zip(heads, (short, lost), strict=True):
         if symbols:
             yield f"{head[0].upper()}{head[1:]}{_COLON[lang]}{_listed(symbols, lang)}"
+
+
+def _computed(answer: Answer, lang: Lang) -> str:
+    """What cannot be read, with its computed value."""
+    told = value(answer.exact, answer.reading.unit, lang, answer.key)
+    return Words(f"${answer.reading.symbol}$ 的计算值 {told}", f"${answer.reading.symbol}$, computed: {told}").of(lang)
 
 
 _COLON: dict[Lang, str] = {"zh": "：", "en": ": "}

@@ -59,14 +59,15 @@ def place_row(answer: Answer) -> tuple[str, ...]:
 
 
 def endless_words(answers: Iterable[Answer], lang: Lang) -> str:
-    """Where the places at infinity lie, drawn and exactly, in a sentence; nothing where there is none."""
+    """Where the places at infinity lie, drawn and exactly, in a sentence; nothing where there is none, or all lie
+    exactly where the box of answers tells."""
     told = [
         Words(
             f"${one.reading.symbol}$ 为 {angle(one.drawn)}（精确值 {angle(clean(one))}{_within(one).zh}）",
             f"${one.reading.symbol}$ at {angle(one.drawn)} (exactly {angle(clean(one))}{_within(one).en})",
         ).of(lang)
         for one in answers
-        if endless(one)
+        if endless(one) and angle(one.drawn) != angle(clean(one))
     ]
     if not told:
         return ""

@@ -1,5 +1,5 @@
-"""What the check comes to, in one sentence: whether every deviation is as small as it may be, which is the largest, and
-what could hardly be found by drawing."""
+"""What the check comes to, in one sentence: whether every deviation is as small as it may be, and what could hardly be
+found by drawing."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from .placed import gaps, reaches
 from .tables import deviation_told, tabled
 
 ILL, ILL_ANGLE = 2.0, 3.0  # mm on paper, degrees: what may be off by more is hardly found by drawing
+PAIR = 2  # names that are told with their errors; of more these are seen in the table
 _UNITS = {"": " %", "°": "°", "mm": " mm"}
 
 
@@ -89,28 +90,18 @@ def _places(solution: Solution) -> list[_Off]:
 
 
 def _whole(found: Sequence[_Off]) -> Words:
-    """All are as small as they may be, or which are not; and the largest of each kind."""
-    over = [one for one in found if not one.within]
-    kinds = [some for sign in _UNITS if (some := _kind(found, sign))]
-    several = [some for some in kinds if len(some) > 1] or kinds  # of a lone value its own sentence tells
-    most = [max(some, key=lambda one: one.size) for some in several]
-    if not most:
+    """All are as small as they may be, or which are not."""
+    if not any(one.size for one in found):
         return Words("各量与精确值一致。", "All values equal the exact ones to the last digit.")
     if len(found) == 1:
         return _alone(found[0])
-    told = joined([_told(one) for one in over or most])
-    if over:
-        return Words(
-            f"除{told.zh} 外，各偏差均不超过预期误差。", f"Every deviation but {told.en} is within its expected error."
-        )
+    over = [one for one in found if not one.within]
+    if not over:
+        return Words("各偏差均不超过预期误差。", "Every deviation is within its expected error.")
+    told = joined([_told(one) for one in over])
     return Words(
-        f"各偏差均不超过预期误差，最大的是{told.zh}。",
-        f"Every deviation is within its expected error; the largest {'is' if len(most) == 1 else 'are'} {told.en}.",
+        f"除{told.zh} 外，各偏差均不超过预期误差。", f"Every deviation but {told.en} is within its expected error."
     )
-
-
-def _kind(found: Sequence[_Off], sign: str) -> list[_Off]:
-    return [one for one in found if one.sign == sign and one.size]
 
 
 def _told(one: _Off) -> Words:
@@ -139,6 +130,8 @@ def _ill(found: Sequence[_Off]) -> Words | None:
     if not found:
         return None
     named = joined([_with(one.name, Words.same(f"±{one.amount(one.error)}")) for one in found])
+    if len(found) > PAIR:
+        named = joined([Words.same(one.name) for one in found])
     verb, s = ("is", "") if len(found) == 1 else ("are", "s")
     return Words(
         f"{named.zh.lstrip()} 由作图不易准确求得，应以计算值为准。",

@@ -14,6 +14,7 @@ COUNTED: tuple[Row, ...] = (  # in the chapter on the structure, which every rep
     ("$n$、$p_L$、$p_H$", Words("活动构件数、低副数、高副数", "numbers of moving links, lower, higher pairs"), "—"),
     ("$F$", Words("机构的自由度", "degrees of freedom"), "—"),
 )
+ARM = "$h$"
 _ROWS: tuple[tuple[str, Row], ...] = (  # what they follow from is how they are written
     (r"\$K\$ = ", ("$K$", Words("行程速比系数", "time ratio of the strokes"), "—")),
     (r"\$θ\$ = ", ("$θ$", Words("极位夹角", "angle between the limit positions of the drive"), "°")),
@@ -38,7 +39,7 @@ _ROWS: tuple[tuple[str, Row], ...] = (  # what they follow from is how they are 
         r"\$J_\{?S",
         ("$J_{Si}$", Words("构件 $i$ 对质心的转动惯量", "moment of inertia of link $i$ about $S_i$"), "kg·m²"),
     ),
-    (r"\$h(_[^$]+)?\$", ("$h$", Words("力（力偶）的力臂", "arm of a force or couple"), "m")),
+    (r"\$h(_[^$]+)?\$", (ARM, Words("力（力偶）的力臂", "arm of a force or couple"), "m")),
     (r"\$W_\{?c", ("$W_{ci}$", Words("构件 $i$ 上配重的质径积", "mass-radius product on link $i$"), "kg·m")),
     (r"\$P_\{?[FM]", ("$P_F$、$P_M$", Words("力、力矩的功率", "powers of a force, of a moment"), "W")),
 )

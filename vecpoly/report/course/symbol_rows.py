@@ -27,6 +27,9 @@ _CURVED = (  # by the beginnings of the keys
 )
 
 
+_GEAR = Words("齿轮的节圆半径", "pitch radius of a gear")
+
+
 def model(study: Study) -> Iterator[Row]:
     """Lengths, angles, coordinates, rates, slides of chapter 4; transmission angles."""
     constants = list(dict.fromkeys(c.symbol for group in study.model.groups for c in group.constants))
@@ -52,7 +55,7 @@ def model(study: Study) -> Iterator[Row]:
     if beta:
         end = subscripted(beta[3:-1])
         yield f"${beta}$", Words(f"由构件的轴线量至 ${end}$ 的角", f"angle from the link's axis to ${end}$"), "°"
-    yield from ((f"${c}$", words, unit) for c, words, unit in _others(constants))
+    yield from ((f"${c}$", words, unit) for c, words, unit in _others(study, constants))
     if gamma := next(iter(study.facts.transmissions), None):
         symbol = study.whole.info(gamma.key).symbol
         yield f"${symbol}$", Words("杆组的传动角（锐角）", "transmission angle (acute)"), "°"
@@ -98,13 +101,14 @@ def auxiliary(study: Study) -> Iterator[Row]:
         yield "$G_2$、$G_3$", Words("加速度方程组的右端", "right sides, acceleration equations"), "m/s²"
 
 
-def _others(constants: list[str]) -> Iterator[Row]:
+def _others(study: Study, constants: list[str]) -> Iterator[Row]:
     """Offsets, fixed angles, the sign of the assembly."""
+    rolls = Words("滚子的半径", "radius of a roller") if study.mech.contacts else _GEAR
     for stem, words, unit in (
         ("e_", Words("导路的偏距", "offset of a guide"), "mm"),
         ("ψ_", Words("导路的方向角", "direction of a guide"), "°"),
         ("δ_", Words("移动副两构件的固定夹角", "fixed angle between links of a sliding pair"), "°"),
-        ("r_", Words("齿轮、滚子的半径", "radius of a gear or roller"), "mm"),
+        ("r_", rolls, "mm"),
         ("σ", Words("装配模式系数，$σ$ = ±1", "sign that tells the assembly, $σ$ = ±1"), "—"),
     ):
         found = next((c for c in constants if c.startswith(stem)), "")

@@ -17,7 +17,7 @@ from ...tagging.tree import tree_of
 from ...typeset.atoms import Kind
 from ...typeset.box import MM, Box, beside
 from ...typeset.canvas import Ink
-from ...typeset.layout import layout, segments
+from ...typeset.layout import RELATIONS, SIGNS, layout, segments
 from ...typeset.words import layout_words
 from .base import Block, Tightness
 from .style import BODY
@@ -131,7 +131,7 @@ def _strutted(box: Box, em: float) -> Box:
 @lru_cache(maxsize=4096)
 def _sides(node: Node, em: float) -> _Sides | None:
     says = plain(node)
-    at = Kind.TIGHT if "→" in says and "=" not in says and "/" not in says else Kind.RELATION
+    at = frozenset({Kind.TIGHT}) if "→" in says and "=" not in says and "/" not in says else RELATIONS
     first, *rest = segments(node, em, before=True, at=at)
     return _Sides(first.width, layout(node, em).width - first.width) if rest else None
 
@@ -152,8 +152,8 @@ def lines(node: Node, em: float, width: float) -> tuple[tuple[float, Box], ...]:
     if whole.width <= width:
         return ((0.0, whole),)
     parts = segments(node, em, before=True)
-    if len(parts) == 1:
-        parts = segments(node, em, before=True, at=Kind.BINARY)
+    if max(part.width for part in parts) > width:
+        parts = segments(node, em, before=True, at=SIGNS)
     gap = 5 / 18 * em
     indent = min(parts[0].width + gap, width / 3) if len(parts) > 1 else 0.0
     widest = max(part.width + (indent if i else 0.0) for i, part in enumerate(parts))

@@ -21,7 +21,7 @@ from .base import Block, Tightness
 from .cells import Cell, cells, joined
 from .lines import draw_line
 from .results.banded import LIGHT, Rules
-from .results.columns import evened, longest, shared
+from .results.columns import evened, longest, over, shared
 from .results.decimal import BREAKS, Columns, aligned_columns, unbroken
 from .style import CAPTION, CELL, Style
 from .text.breaks import Line, break_lines
@@ -191,7 +191,7 @@ class DataTable(Block):
             self._entitle(ink, left + width, y - CAPTION.size)
             y -= CAPTION.leading + 2.0
         y = self._rule(ink, left, y, width, _HEAVY)
-        y = self._row(ink, found.head, found.widths, left, y, "c" * len(self.header), header=True)
+        y = self._row(ink, found.head, found.widths, left, y, over(self.align), header=True)
         y = self._rule(ink, left, y, width, _FINE)
         for n, (row, texts) in enumerate(zip(found.body, self.rows, strict=True)):
             y -= self._ruling.white(self._before, n)

@@ -14,7 +14,7 @@ from ..flow.table import PAD
 from .ruled import NONE, RuledTable
 
 HEADS = (
-    Words("所求量", "Quantity"),
+    Words("量", "Quantity"),
     Words("图上长度 /mm", "On paper /mm"),
     Words("数值", "Value"),
     Words("单位", "Unit"),

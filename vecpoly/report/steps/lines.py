@@ -13,12 +13,15 @@ from ...printed.told import ABOUT, EQUALS, NUMBER
 from ...solution import Answer, Solution
 from ...words import Lang, Words, bare
 from ..answers.notes import stands_still
+from .pointing import FORCES, ends_of
 
 _COLONS = ("：", ":")
 _MOST = 4  # lines in a sentence
 _UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
 _WORKED, _NOTHING = 6, " = 0 "  # parts of a line symbol = formula = numbers = result; how one ends that vanishes
-_ZERO = re.compile(r"(?<![\d.])0(?![\d.])")
+# numbers that work out what is plain: 0 × 2, (400 − 400); 1 × 0.08, (400 − 0)/400, 400/400
+_ZERO = re.compile(r"(?<![\d.])0(?![\d.])|\((\S+) − \1\)")
+_SEEN = re.compile(r"^1(\.0+)? × [\d.]+$|\((\S+) − 0\)/\(\2\)$|× \(([\d.]+)\)/\(\3\)$")
 _EQUAL, _INDEX = 3, re.compile(r"_\w+")  # lines that are told together; what differs in them
 _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
@@ -26,7 +29,30 @@ _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 def displayed(step: Step, solution: Solution) -> tuple[Node, ...]:
     """The lines of a step that are set as formulas; each ends with the number that is gone on with."""
     left = _left(step, solution)
-    return () if _in_sentence(step, left) else tuple(_vanishing(_once(line)) for line in left)
+    if _in_sentence(step, left):
+        return ()
+    told = [_once(line) for line in left]
+    long = {_form(line) for line in told if not (_is_nothing(line) or _is_seen(line))}
+    return tuple(_plainly(line, _is_seen(line) and _form(line) not in long) for line in told)
+
+
+def measured_once(lines: Sequence[Node]) -> Iterator[Node]:
+    """Forces that one side of the polygon gives, in either sense, as one line: R_21 = R_12 = μ_F bc = ..."""
+    sides = dict[frozenset[str], list[Row]]()
+    for line in lines:
+        if isinstance(line, Row) and (ends := ends_of(line, FORCES)) is not None:
+            sides.setdefault(frozenset(map(plain, ends)), []).append(line)
+    first = {id(run[0]): run[1:] for run in sides.values()}
+    later = {id(line) for run in sides.values() for line in run[1:]}
+    for line in lines:
+        if id(line) not in later:
+            yield _headed(line, first[id(line)]) if isinstance(line, Row) and first.get(id(line)) else line
+
+
+def _headed(line: Row, others: Sequence[Row]) -> Row:
+    """The line with the symbols of others, which come to the same, before its way."""
+    more = [item for other in others for item in (Txt(EQUALS), other.items[0])]
+    return Row((line.items[0], *more, *line.items[1:]))
 
 
 def chained(lines: Sequence[Node]) -> Iterator[Node]:
@@ -51,17 +77,21 @@ def together(lines: Sequence[Node]) -> Iterator[Node]:
             continue
         first = run[0]
         assert isinstance(first, Row)
-        others = [item for line in run[1:] if isinstance(line, Row) for item in (Txt(EQUALS), line.items[0])]
-        yield Row((first.items[0], *others, *first.items[1:]))
+        yield _headed(first, [line for line in run[1:] if isinstance(line, Row)])
 
 
 def _reckoned(line: Node) -> tuple[str, str, str] | None:
     """The form of symbol = formula = numbers = result without its indices, its numbers and its result; None of another
     line."""
+    form = _form(line)
+    return (form, plain(line.items[-2]), plain(line.items[-1])) if form and isinstance(line, Row) else None
+
+
+def _form(line: Node) -> str:
+    """A line symbol = formula = numbers = result as symbol = formula without indices; nothing of another."""
     if not isinstance(line, Row) or len(line.items) != _WORKED:
-        return None
-    form = "=".join(_INDEX.sub("", plain(line.items[n])) for n in (0, 2))
-    return form, plain(line.items[-2]), plain(line.items[-1])
+        return ""
+    return "=".join(_INDEX.sub("", plain(line.items[n])) for n in (0, 2))
 
 
 def _end_of_chain(line: Node) -> str | None:
@@ -82,11 +112,22 @@ def _once(line: Node) -> Node:
     return Row((*line.items[:-1], Txt(exact))) if same else line
 
 
-def _vanishing(line: Node) -> Node:
-    """F = W ω² = 0 N of F = W ω² = 0 × 377² = 0 N: a factor that vanishes needs no numbers."""
-    if not isinstance(line, Row) or len(line.items) < _WORKED or not plain(line.items[-1]).startswith(_NOTHING):
+def _is_nothing(line: Node) -> bool:
+    """Whether it ends with a zero."""
+    return isinstance(line, Row) and plain(line.items[-1]).startswith(_NOTHING)
+
+
+def _is_seen(line: Node) -> bool:
+    """Whether its numbers work out what is plain."""
+    return isinstance(line, Row) and bool(_form(line)) and bool(_SEEN.search(plain(line.items[-2])))
+
+
+def _plainly(line: Node, seen: bool) -> Node:
+    """F = W ω² = 0 N of F = W ω² = 0 × 377² = 0 N: a factor that vanishes needs no numbers; seen: nor does one of 1."""
+    if not isinstance(line, Row) or len(line.items) < _WORKED:
         return line
-    return Row((*line.items[:-3], line.items[-1])) if _ZERO.search(plain(line.items[-2])) else line
+    short = bool(_ZERO.search(plain(line.items[-2]))) if _is_nothing(line) else seen
+    return Row((*line.items[:-3], line.items[-1])) if short else line
 
 
 def _left(step: Step, solution: Solution) -> tuple[Node, ...]:

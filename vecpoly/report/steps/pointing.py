@@ -6,17 +6,19 @@ from __future__ import annotations
 from ...algebra.formula import Node, Over, Row, Sym, Txt
 from ...words import Lang, Words
 
-_SCALES = (Sym("μ", "v"), Sym("μ", "a"))
+MOTIONS = (Sym("μ", "v"), Sym("μ", "a"))
+FORCES = (Sym("μ", "F"),)
 _FORMULA, _WORKED = 2, 6  # of a line symbol = formula = numbers = result
 _FROM = Words("（方向 ", " (from "), Words(" → ", " to "), Words("）", ")")
 
 
-def ends_of(line: Node) -> tuple[Node, Node] | None:
-    """The letters of tail and tip of the only vector that a line reads off, v = μ_v pe; None of another line."""
+def ends_of(line: Node, scales: tuple[Sym, ...] = MOTIONS) -> tuple[Node, Node] | None:
+    """The letters of tail and tip of the only vector that a line reads off by one of these scales, v = μ_v pe; None of
+    another line."""
     if not isinstance(line, Row) or len(line.items) != _WORKED:
         return None
     match line.items[_FORMULA]:
-        case Row((Sym() as scale, _, Over(Row((tail, tip)), False))) if scale in _SCALES:
+        case Row((Sym() as scale, _, Over(Row((tail, tip)), False))) if scale in scales:
             return tail, tip
         case _:
             return None

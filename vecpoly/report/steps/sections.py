@@ -17,7 +17,7 @@ from ..flow.results.abreast import abreast
 from ..on_paper import on_paper
 from ..tables import listed
 from .inset import equation_of
-from .lines import chained, displayed, together, with_results
+from .lines import chained, displayed, measured_once, together, with_results
 from .pointing import pointed
 from .rows import in_runs, lead_of, rows_table
 
@@ -47,7 +47,8 @@ def _run(steps: tuple[Step, ...], lang: Lang, objects: Objects) -> dict[str, Any
 
 
 def _step(step: Step, solution: Solution, lang: Lang, objects: Objects, same: Mapping[int, Node]) -> dict[str, Any]:
-    told = together([*chained([same.get(id(node), node) for node in displayed(step, solution)])])
+    once = measured_once([same.get(id(node), node) for node in displayed(step, solution)])
+    told = together([*chained([*once])])
     lines = abreast([pointed(line, lang) for line in told])
     equation = equation_of(step, lines, solution, lang)
     return {

@@ -82,10 +82,10 @@ def draw_return_circle(fig: CurvatureFigure, symbol: str) -> None:
     and every point that a line of the link envelops."""
     fig.board.step(
         Words(
-            f"将 ${fig.p}{fig.w}$ 反向移取，得回归极 ${symbol}$；以 ${fig.p}$ 与它的连线为直径作回归圆（虚线），"
-            "它与拐点圆相等而相切。",
-            f"Step off ${fig.p}{fig.w}$ to the other side: the return pole ${symbol}$, and over it the return circle "
-            "(dashed), which is equal to the inflection circle and touches it.",
+            f"在 ${fig.w}{fig.p}$ 的延长线上截取与 ${fig.p}{fig.w}$ 等长的线段，得回归极 ${symbol}$；以它与 ${fig.p}$ "
+            "的连线为直径作回归圆（虚线），与拐点圆等大、相切。",
+            f"On ${fig.w}{fig.p}$ produced step off the length ${fig.p}{fig.w}$ to the return pole ${symbol}$; on it "
+            "as diameter draw the return circle (dashed), equal to the inflection circle and tangent to it.",
         ),
         fig.pane,
     )

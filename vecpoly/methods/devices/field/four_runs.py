@@ -109,10 +109,9 @@ def _centroid(bench: Bench, device: FieldBalancing, corners: list[Points]) -> No
     _, longest = max(sides, key=lambda side: float(nominal(side[0])))
     board.step(
         Words(
-            "读数有误差，三弧一般不交于一点，而围成一个小三角形；取其形心为 $Q$。三角形最长的边 $Δ$ 说明读数的可信程"
-            "度：",
-            "Readings err, and the three arcs rarely meet at one point: they leave a small triangle, whose centroid is "
-            "$Q$. Its longest side $Δ$ tells how far the readings can be trusted:",
+            "读数有误差，三弧一般不交于一点，而围成一个小三角形；取其形心为 $Q$。三角形最长的边 $Δ$ 反映读数的误差：",
+            "Owing to reading errors the three arcs do not meet at one point but enclose a small triangle, whose "
+            "centroid is $Q$. Its longest side $Δ$ is a measure of these errors:",
         ),
         view,
     )
@@ -172,8 +171,8 @@ def _answer(bench: Bench, device: FieldBalancing, q: Points, letter: str, way: s
     board.step(
         Words(
             f"$O{letter}$ 为试重的效应，校正质量装在 ${letter}$ 的方向上：",
-            f"The vector $O{letter}$ is the effect of the trial weight; the correction sits in the direction of "
-            f"${letter}$:",
+            f"The vector $O{letter}$ is the effect of the trial weight; the correction is to be placed in the "
+            f"direction of ${letter}$:",
         ),
         view,
     )

@@ -12,7 +12,7 @@ from ....plane import nominal
 from ....words import Words
 from ..bench import Bench
 from ..speeds import PI, THIRTY, angular_velocity, turns_a_minute
-from .words import ENOUGH, INERTIA_SECTION, SPEED, SPEED_SECTION, UNEVEN, UNEVEN_SECTION
+from .words import ENOUGH, EXTREME, INERTIA_SECTION, SPEED, SPEED_SECTION, UNEVEN, UNEVEN_SECTION
 
 ONE, TWO, FOUR = (Quantity(Txt(f"{value:g}"), value, "") for value in (1.0, 2.0, 4.0))
 
@@ -29,13 +29,18 @@ def moment_of_inertia(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Qua
     bench.board.section(UNEVEN_SECTION if wheel.delta is None else INERTIA_SECTION)
     wheel_has = None if wheel.J is None else magnitude("J", wheel.J.si, "kg·m^2")
     sought = None if wheel.delta is None else _sought(bench, wheel, swing, omega, wheel_has)
-    _unevenness(bench, swing, omega, _all(wheel_has, sought))
+    wanted = sought is not None and nominal(sought.value) > 0
+    _unevenness(bench, swing, omega, _all(wheel_has, sought), _allowed(wheel) if wanted else None)
     return sought
+
+
+def _allowed(wheel: Flywheel) -> Quantity:
+    return magnitude("[δ]", wheel.delta.si if wheel.delta else 0.0, "")
 
 
 def _sought(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity, has: Quantity | None) -> Quantity:
     """J_F = ΔW_max / (ω_m² [δ]) − J, and 0 where that is negative."""
-    board, allowed = bench.board, magnitude("[δ]", wheel.delta.si if wheel.delta else 0.0, "")
+    board, allowed = bench.board, _allowed(wheel)
     board.step(
         Words(
             "由 $ΔW_{max}$ 和许用不均匀系数求所需的转动惯量" + ("，减去已有的 $J$ 即为飞轮的：" if has else "："),
@@ -43,8 +48,12 @@ def _sought(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity, has
             + (" that is needed, and less $J$, which is there, that of the flywheel:" if has else ":"),
         )
     )
-    need = bench.worked(asked.J_NEED, swing / (omega.squared() * allowed))
-    found = bench.worked(asked.J_F, need if has is None else need - has)
+    wanted = swing / (omega.squared() * allowed)
+    if has is None:
+        found = bench.worked(asked.J_F, wanted)
+        bench.told_otherwise(asked.J_NEED, found)
+    else:
+        found = bench.worked(asked.J_F, bench.worked(asked.J_NEED, wanted) - has)
     if nominal(found.value) < 0:
         board.remark(ENOUGH)
         found = bench.stated(asked.J_F, np.maximum(found.value, 0.0))
@@ -68,9 +77,15 @@ def _all(has: Quantity | None, found: Quantity | None) -> Quantity:
     return magnitude("J_{Σ}", has.value + found.value, "kg·m^2")
 
 
-def _unevenness(bench: Bench, swing: Quantity, omega: Quantity, whole: Quantity) -> None:
-    bench.board.step(UNEVEN)
-    delta = bench.worked(asked.DELTA, swing / (whole * omega.squared()))
+def _unevenness(
+    bench: Bench, swing: Quantity, omega: Quantity, whole: Quantity, allowed: Quantity | None = None
+) -> None:
+    """The extreme speeds at δ; at the allowed one, where the flywheel was made for it."""
+    bench.board.step(UNEVEN if allowed is None else EXTREME)
+    if allowed is None:
+        delta = bench.worked(asked.DELTA, swing / (whole * omega.squared()))
+    else:
+        delta = bench.told_otherwise(asked.DELTA, allowed)
     for named, sign in ((asked.OMEGA_MAX, 1), (asked.OMEGA_MIN, -1)):
         factor = ONE + delta / TWO if sign > 0 else ONE - delta / TWO
         speed = bench.worked(named, omega * factor)

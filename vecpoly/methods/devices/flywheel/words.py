@@ -91,3 +91,4 @@ ENOUGH = Words(
     " What turns already keeps $δ$ below what is allowed: no flywheel is needed.",
 )
 UNEVEN = Words("速度不均匀系数与最大、最小转速：", "The coefficient of speed fluctuation and the extreme speeds are:")
+EXTREME = Words("装上飞轮后 $δ$ = [$δ$]，最大、最小转速为：", "With the flywheel $δ$ = [$δ$]; the extreme speeds are:")

@@ -116,9 +116,9 @@ def _moments(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | Non
     bench.board.section(Words("等效力矩", "Equivalent moment"))
     bench.board.step(
         Words(
-            "功率相等，各力矩乘以传动比，驱动与阻力分别求和，取其大小（表中驱动为正、阻力为负）：",
-            "Equating powers, each moment is multiplied by its speed ratio; those that drive and those that resist "
-            "are summed apart, by their sizes (in the table what drives is positive, what resists negative):",
+            "按功率相等，各力矩乘以传动比；驱动力矩与阻力矩分别求和（表中驱动为正、阻力为负）：",
+            "Equating powers, each moment is multiplied by its speed ratio; driving and resisting moments are added "
+            "separately (in the table driving ones are positive):",
         )
     )
     driving: list[Expr] = []

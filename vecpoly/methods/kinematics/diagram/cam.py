@@ -55,8 +55,7 @@ def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
     r = "ρ" if _profiled(desk, contact) else f"r_{desk.mech.disc_number(contact.disc.link)}"
     return Words(
         f"平底与 ${o}$ 始终相距 ${r}$：过 ${o}$ 的虚拟导路与平底平行，由此定出构件 {link} 的位置",
-        f"The face keeps the distance ${r}$ from ${o}$: the guide through ${o}$ is parallel to it, "
-        f"which places link {link}",
+        f"The face of link {link} is always at the distance ${r}$ from ${o}$, parallel to the guide through ${o}$",
     )
 
 
@@ -72,6 +71,10 @@ def _bar(desk: Desk, contact: Contact, group: Group) -> Words:
     if _profiled(desk, contact):
         length = "ρ"  # of the tip's path on the cam
     real = _real(group, contact)
+    if not contact.on.radius:
+        return _edge(
+            contact, Words(f"构件 {real} 组成 {group.kind} 杆组", f"link {real} an {group.kind} group"), length
+        )
     return Words(
         f"高副低代：接触点 ${contact.point}$ 处两廓线的曲率中心为 ${contact.disc.centre}$、"
         f"${contact.on.centre}$，以连心线 ${bar}$ 为杆长（$l_{{{bar}}} = {length}$），用一杆两转动副代替高副 "
@@ -114,6 +117,19 @@ def _here(contact: Contact, group: Group) -> Words:
     )
 
 
+def _edge(contact: Contact, group: Words, length: str) -> Words:
+    """Of a knife edge, which is the point of contact itself."""
+    assert isinstance(contact.on, Circle)
+    k, b, t, bar = contact.disc.centre, contact.on.centre, contact.point, contact.substitute
+    return Words(
+        f"高副低代：尖顶 ${b}$ 即接触点 ${t}$，凸轮廓线在该处的曲率中心为 ${k}$；以 ${bar}$ 为杆长"
+        f"（$l_{{{bar}}} = {length}$），用一杆两转动副代替高副 ${t}$，与{group.zh}。",
+        f"Replace the higher pair: the knife edge ${b}$ is the point of contact ${t}$ itself, and ${k}$ the centre of "
+        f"curvature of the cam there; a bar ${bar}$ ($l_{{{bar}}} = {length}$) stands for the contact and forms with "
+        f"{group.en}.",
+    )
+
+
 def _real(group: Group, contact: Contact) -> str:
     """The real links of the group, by their numbers."""
     return "、".join(name for name in group.links if name != contact.substitute)
@@ -121,9 +137,12 @@ def _real(group: Group, contact: Contact) -> str:
 
 def _found(contact: Contact) -> Words:
     k, o = contact.point, contact.disc.centre
+    if isinstance(contact.on, Circle) and not contact.on.radius:
+        bar = f"{o}{contact.on.centre}"
+        return Words(f"公法线 $n$–$n$ 为 ${bar}$。", f" The common normal $n$–$n$ is ${bar}$.")
     if isinstance(contact.on, Circle):
         return Words(
-            f"接触点 ${k}$ 在连心线 ${o}{contact.on.centre}$ 上，公法线 $n$–$n$ 沿该线。",
+            f"接触点 ${k}$ 在连心线 ${o}{contact.on.centre}$ 上，该线即公法线 $n$–$n$。",
             f" The point of contact ${k}$ lies on the line of centres ${o}{contact.on.centre}$, "
             "which is the common normal $n$–$n$.",
         )

@@ -56,8 +56,8 @@ def position_rack(desk: Desk, group: Group) -> None:
             f"齿条 {rack} 沿其导路移动：{counted_from(slide).zh}按给定的 $s_{rack}/μ_l$ 定出 ${pin}$；"
             f"自 ${c}$ 向齿条节线作垂线，垂足为啮合点 ${h}$。",
             f"Rack {rack} slides along its guide: step off the given $s_{rack}/μ_l$ "
-            f"{counted_from(slide).en} to ${pin}$; the foot of ${c}$ on its pitch line is the "
-            f"pitch point ${h}$.",
+            f"{counted_from(slide).en} to ${pin}$; the foot of the perpendicular from ${c}$ to its "
+            f"pitch line is the pitch point ${h}$.",
         ),
         View.MECHANISM,
     )

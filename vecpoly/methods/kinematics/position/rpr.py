@@ -51,7 +51,7 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     elif abs(offset) < 1e-9:
         words = Words(
             f"连接 ${q}$、${p}$，得构件 {joint.guide} 的导路方向",
-            f"Join ${q}$ and ${p}$; this line is the guide of link {joint.guide}",
+            f"Join ${q}$ and ${p}$: the direction of link {joint.guide}",
         )
     else:
         words = _touching(desk, joint, q, p)

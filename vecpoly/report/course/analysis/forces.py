@@ -100,6 +100,10 @@ def conclusion(study: Study) -> Iterator[Words]:
     loads = study.problem.loads
     if loads is None:
         return
+    if _nothing(study, loads.unknown.name):
+        symbol = f"${study.whole.info(loads.unknown.name).symbol}$"
+        yield Words(f"{span(study).zh}内 {symbol} = 0。", f"Over the {span(study).en} {symbol} = 0.")
+        return
     parts = [_part(study, loads, d) for d in duties(study.whole) if not d.cause]
     if len(parts) > _FEW:
         parts = [_overall(study, key) for key in told(study)]
@@ -115,6 +119,13 @@ def conclusion(study: Study) -> Iterator[Words]:
             f"At ${symbol}$ = {where.en} the mechanism is self-locking: it cannot start there and passes only "
             "by its inertia.",
         )
+
+
+def _nothing(study: Study, key: str) -> bool:
+    """Whether a column is told as 0 throughout."""
+    found = study.extremes(key)
+    spots = [spot for spot in (found.highest, found.lowest) if spot is not None]
+    return bool(spots) and all(shown(study, key, abs(spot.value)).split(" ")[0] == "0" for spot in spots)
 
 
 def _overall(study: Study, key: str) -> Words:

@@ -171,12 +171,13 @@ def _numbers(answer: Answer) -> str:
 def _sense(study: Study, answer: Answer) -> Words:
     """Which way: the direction of a vector, the sense of what turns, the line along which a force is counted."""
     fixed = direction_of_load(study.problem, answer.key)
+    if drawn_number(answer) == "0":
+        return Words("", "")  # what is nothing has no direction and no sense
     if answer.exact_vector is not None:
         return _COMMA + _direction(answer.exact_vector)
     if fixed is not None:
         return _COMMA + _direction(cmath.rect(1.0, fixed))
-    turns = answer.turns and drawn_number(answer) != "0"  # what stands still has no sense
-    return _COMMA + _turning(answer.exact) if turns else Words("", "")
+    return _COMMA + _turning(answer.exact) if answer.turns else Words("", "")
 
 
 def _turning(size: float) -> Words:

@@ -177,10 +177,10 @@ def _weighed(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Wo
     if top < _SLIGHT * largest(study, keys[-1]):
         by = _either(ranked, Words("0.1 mm", "0.1 mm"), Words("（0.1°）", " (0.1°)"))
         return Words(
-            f"尺寸误差 {by.zh}对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可；其中影响最大的是 "
-            f"{zh[0]}，最小的是 {zh[2]}。",
-            f"Errors of {by.en} change ${symbol}$ by less than 1 %, so ordinary tolerances suffice; "
-            f"the greatest effect is that of {en[0]}, the least that of {en[2]}.",
+            f"尺寸误差 {by.zh}对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可"
+            + (f"；其中影响最大的是 {zh[0]}，最小的是 {zh[2]}。" if small else "。"),
+            f"Errors of {by.en} change ${symbol}$ by less than 1 %, so ordinary tolerances suffice"
+            + (f"; the greatest effect is that of {en[0]}, the least that of {en[2]}." if small else "."),
         )
     if not small:
         return Words(

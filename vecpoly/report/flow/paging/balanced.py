@@ -13,8 +13,9 @@ from .loose import OPENEST, grown
 from .sectioned import HALF, heads, settled
 from .setting import tightened
 
-ENOUGH, LAST = 0.7, 0.6  # of a page of text, and of the last one: what is filled so far looks full
-_SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 6)))
+ENOUGH, LAST = 0.88, 0.8  # of a page of text, and of the last one: what is filled so far looks full
+LEAST = 0.3  # of the last page, which may be shorter than a page behind which the text goes on
+_SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 8)))  # a page that would be half empty is worth a wider setting
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
 _Score = tuple[int, int, int, int, int, float]
 
@@ -43,7 +44,8 @@ def emptiness(filled: Sequence[float]) -> float:
 
 
 def _score(doc: ReportDoc) -> _Score:
-    thin = sum(full < HALF for full in doc.filled)
+    *others, last = doc.filled
+    thin = sum(full < HALF for full in others) + (last < LEAST)
     return int(doc.page), len(doc.widows), doc.parted, thin, doc.gaps, round(emptiness(doc.filled), 4)
 
 

@@ -45,3 +45,8 @@ def longest(cells: Sequence[Cell], em: float) -> float:
         else:
             runs[-1] += before.width + cell.box.width
     return max(runs)
+
+
+def over(align: str) -> str:
+    """How the heads of columns stand: those over words begin where the words do."""
+    return "".join("l" if side == "l" else "c" for side in align)

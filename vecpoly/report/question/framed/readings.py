@@ -54,7 +54,9 @@ class Blank(NamedTuple):
             return f"${self.symbol}$: $x$ =", "$y$ =", self.paper
         if form is Form.WHOLE and self.scale:
             return f"${self.symbol}$ =", f"{self.paper} × ${self.scale}$ =", self.unit
-        return f"${self.symbol}$ =" if self.paper == _DEGREE else f"${self.symbol}$:", self.paper
+        if self.paper == _DEGREE:
+            return f"${self.symbol}$ =", self.paper
+        return f"${self.symbol}/{self.scale}$ =" if self.scale else f"${self.symbol}$:", self.paper
 
 
 class Readings(NamedTuple):
