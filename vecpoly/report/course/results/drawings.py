@@ -121,6 +121,8 @@ def _candidates(study: Study) -> Iterator[tuple[float, Words]]:
         for spot in sorted(spots, key=lambda s: -abs(s.value)):
             yield spot.phi, Words.same(f"${magnitude}$ ") + _extreme(most=spot is found.highest, value=spot.value)
     for t in study.facts.transmissions:
+        if t.is_constant:
+            continue
         yield (
             t.least.phi,
             Words(

@@ -45,7 +45,7 @@ def _repeats_after(made: Table) -> int:
     """The rows after which all of them come again: of a machine whose period is two turns, those of one turn."""
     rows = made.values[:, 1:]
     count, turns = len(rows), abs(made.values[-1, 0] - made.values[0, 0]) / 360.0
-    for n in range(2, round(turns) + 2):
+    for n in range(2, round(turns) + 1):
         part, left = divmod(count, n)
         if not left and np.allclose(rows, np.tile(rows[:part], (n, 1)), 1e-6, 1e-9, equal_nan=True):
             return part
