@@ -41,9 +41,10 @@ def symbols(study: Study, press: Press, told: str = "") -> str:
 
 def rows_of(study: Study, told: str) -> list[Row]:
     """The counts of the structure, the quantities, what is auxiliary, the scales, the letters of the drawings."""
+    loaded = study.problem.acting is not None
     own = [*symbol_rows.model(study), *symbol_rows.forces(study), *symbol_rows.components(study)]
     taken = {symbol for symbol, _, _ in own}
-    counted, spoken = ([row for row in rows if row[0] not in taken] for rows in (COUNTED, used(told)))
+    counted, spoken = ([row for row in rows if row[0] not in taken] for rows in (COUNTED, used(told, loaded=loaded)))
     behind = [*symbol_rows.auxiliary(study), *symbol_rows.scales(study), *symbol_rows.letters(study)]
     return [*counted, *symbol_rows.centres(study), *symbol_rows.curvatures(study), *ordered([*own, *spoken]), *behind]
 
