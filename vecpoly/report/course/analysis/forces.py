@@ -176,6 +176,8 @@ def _most(value: str, at: str) -> Words:
     """The greatest value of a stretch, and where; without a place what is the same in every position."""
     if not at:
         return Words(f"恒为 {value}", f"is {value} throughout")
+    if value.partition(" ")[0] == "0":
+        return Words("= 0", "= 0")
     if value == "∞":
         return Words(f"趋于 ∞（{at}）", f"grows beyond all bounds ({at})")
     return Words(f"最大 {value}（{at}）", f"up to {value} ({at})")
