@@ -21,6 +21,7 @@ from .met import (
     is_force,
     is_mass,
     is_path,
+    is_product,
     is_solid,
     is_speed,
     is_void,
@@ -64,7 +65,16 @@ CURVES: tuple[Kind, ...] = (
     Kind(words=Words("点的轨迹", "path of a point"), met=is_path, sample=line),
     Kind(words=Words("连杆曲线", "coupler curve"), met=is_coupler_curve, sample=line),
     Kind(
-        words=Words("凸轮廓线（理论廓线）的一段", "part of the profile or pitch curve"), met=is_arc_of_cam, sample=line
+        words=Words("凸轮廓线的一段", "part of the profile"),
+        met=is_arc_of_cam(Role.RESULT),
+        sample=line,
+        brief=Words("凸轮廓线", "profile of the cam"),
+    ),
+    Kind(
+        words=Words("理论廓线的一段", "part of the pitch curve"),
+        met=is_arc_of_cam(Role.HIDDEN),
+        sample=line,
+        brief=Words("理论廓线", "pitch curve"),
     ),
     Kind(words=Words("基圆", "base circle"), met=is_base_circle, sample=line),
 )
@@ -73,6 +83,12 @@ BODIES: tuple[Kind, ...] = (
         words=Words("力（长度不表示大小）", "force (length not to scale)"),
         met=is_force,
         sample=lambda _: arrow(Role.RESULT),
+        plain=True,
+    ),
+    Kind(
+        words=Words("质径积的方向", "direction of a mass–radius product"),
+        met=is_product,
+        sample=lambda one: arrow(_role(one)),
         plain=True,
     ),
     Kind(
