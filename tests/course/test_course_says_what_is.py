@@ -8,7 +8,10 @@ import pytest
 
 from tests.studies import studied
 from vecpoly.cycle.facts.duties import duties
+from vecpoly.findings.advice import advice
+from vecpoly.findings.conditioning import conditioning
 from vecpoly.findings.limits import limit
+from vecpoly.findings.motion import motion
 from vecpoly.report.course.analysis import forces
 from vecpoly.report.course.analysis.stated import stated
 from vecpoly.report.course.checks.influences import influences, targets
@@ -82,3 +85,17 @@ def test_a_radius_among_the_symbols_is_that_of_a_gear_not_of_a_roller() -> None:
 @pytest.mark.parametrize(("name", "parts"), [("3-10", "$a^n$、$a^t$、$a^k$、$a^r$"), ("3-5", "$a^n$、$a^t$")])
 def test_of_an_acceleration_the_parts_are_listed_that_stand_in_an_equation(name: str, parts: str) -> None:
     assert parts in [symbol for symbol, *_ in rows_of(studied(name), "")]
+
+
+def test_a_linkage_with_change_points_is_not_said_to_move_without_them() -> None:
+    it = studied("parallelogram-locomotive")
+    groups = conditioning(it)
+    told = "".join(w.en for w in motion(it, groups))
+    assert "change points, at $φ_{1}$ = 0° and 180°" in told and "no dead point" not in told
+    assert "there is no dead point" in "".join(w.en for w in motion(studied("4-3a"), conditioning(studied("4-3a"))))
+
+
+def test_equal_lengths_that_make_the_change_points_are_not_to_be_changed_for_the_transmission_angle() -> None:
+    it = studied("parallelogram-locomotive")
+    [told] = [w.en for one in conditioning(it) for w in advice(it, one)]
+    assert "are stretched" in told and "at a change point" in told and "would raise" not in told

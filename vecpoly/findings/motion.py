@@ -16,13 +16,14 @@ from .shown import shown
 from .strokes import limits_and_ratio, repeated_strokes
 from .study.study import Study
 from .symmetry import symmetry
+from .transmission import least_places
 
 
 def motion(study: Study, groups: list[Conditioning]) -> Iterator[Words]:
     """The facts of the cycle in order."""
     loops = tuple(full_rotation(study))
     yield from loops
-    yield from _range(study, bool(loops), _singular(study, groups))
+    yield from _range(study, bool(loops), groups)
     yield from _turns(study)
     for stroke in study.facts.strokes:
         yield limits_and_ratio(study, stroke)
@@ -39,8 +40,20 @@ def _driver(study: Study) -> Words:
     return Words(f"原动件 {study.mech.drive.link} ", f"the driving link {study.mech.drive.link}")
 
 
-def _range(study: Study, told: bool, dead: Words) -> Iterator[Words]:
+def _range(study: Study, told: bool, groups: list[Conditioning]) -> Iterator[Words]:
     driver, whole, free = _driver(study), study.entire, study.facts.unlimited
+    dead = _singular(study, groups)
+    if whole.whole and (changed := [one for one in groups if one.is_none]):
+        at = least_places(study, changed[0].gamma) if changed[0].gamma is not None else None
+        where = at or Words.same(study.where(changed[0].phi))
+        yield Words(
+            f"计算按题设的装配形式连续通过变点（{where.zh}）：机构在全部位置均可装配，但在变点处须靠惯性或附加的约束"
+            "保持这一装配形式。",
+            f"The calculation goes on through the change points, at {where.en}, in the given assembly: the mechanism "
+            "can be assembled in every position, but there inertia or an additional constraint must keep it in that "
+            "assembly.",
+        )
+        return
     if whole.whole:
         yield Words(
             f"计算结果{'与此一致' if told else '表明'}：{driver.zh}整周转动时，机构在全部位置均可装配，无死点。",
