@@ -96,14 +96,14 @@ def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
     group, by, low, high = one.group.title, f"$|{one.symbol}|$", study.where(one.phi), study.where(one.top)
     told = Words(f"{group.zh}的行列式 {by} 不变", f"The determinant {by} of the {group.en} does not change")
     if not _is_steady(one):
-        least = Words(f"，为最大值的 {one.ratio:.3f} 倍", f", {one.ratio:.3f} of its largest")
+        share = Words(f"，为最大值的 {one.ratio:.3f} 倍", f", {one.ratio:.3f} of its largest")
         if one.is_none:
-            least = Words("，为零", ", where it is zero")
+            share = Words("，为零", ", where it is zero")
         told = Words(
             f"{group.zh}的行列式 {by} 在 {high} 处最大，在 {low} 处最小",
             f"The determinant {by} of the {group.en} is largest at {high} and least at {low}",
         )
-        told += least
+        told += share
     if is_square(study, one):
         told += Words("，传动角恒为 90°", ", and the transmission angle is always 90°")
     if one.gamma is not None and not advised:
