@@ -40,26 +40,31 @@ def _driver(study: Study) -> Words:
     return Words(f"原动件 {study.mech.drive.link} ", f"the driving link {study.mech.drive.link}")
 
 
+def _through_changes(study: Study, one: Conditioning) -> Words:
+    """How a linkage moves that passes change points."""
+    at = least_places(study, one.gamma) if one.gamma is not None else None
+    where = at or Words.same(study.where(one.phi))
+    return Words(
+        f"计算按题设的装配形式连续通过变点（{where.zh}）：机构在全部位置均可装配，但在变点处须靠惯性或附加的约束"
+        "保持这一装配形式。",
+        f"The calculation goes on through the change points, at {where.en}, in the given assembly: the mechanism "
+        "can be assembled in every position, but there inertia or an additional constraint must keep it in that "
+        "assembly.",
+    )
+
+
 def _range(study: Study, told: bool, groups: list[Conditioning]) -> Iterator[Words]:
     driver, whole, free = _driver(study), study.entire, study.facts.unlimited
-    dead = _singular(study, groups)
-    if whole.whole and (changed := [one for one in groups if one.is_none]):
-        at = least_places(study, changed[0].gamma) if changed[0].gamma is not None else None
-        where = at or Words.same(study.where(changed[0].phi))
-        yield Words(
-            f"计算按题设的装配形式连续通过变点（{where.zh}）：机构在全部位置均可装配，但在变点处须靠惯性或附加的约束"
-            "保持这一装配形式。",
-            f"The calculation goes on through the change points, at {where.en}, in the given assembly: the mechanism "
-            "can be assembled in every position, but there inertia or an additional constraint must keep it in that "
-            "assembly.",
-        )
-        return
-    if whole.whole:
+    dead, changed = _singular(study, groups), [one for one in groups if one.is_none]
+    if whole.whole and changed:
+        yield _through_changes(study, changed[0])
+    elif whole.whole:
         yield Words(
             f"计算结果{'与此一致' if told else '表明'}：{driver.zh}整周转动时，机构在全部位置均可装配，无死点。",
             f"The calculation {'agrees' if told else 'shows'}: the mechanism can be assembled in "
             f"every position of {driver.en}, and there is no dead point.",
         )
+    if whole.whole:
         return
     drive = whole.drive
     low, high = (study.place(q) for q in (whole.low, whole.high))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import tau
 
+from ...board.construction import Figure
 from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Mark, Plate, Role, Vector
 from ...words import Words
 from .entry import HALF, MIDDLE, WIDE
@@ -21,10 +22,10 @@ from .met import (
     is_force,
     is_mass,
     is_path,
-    is_product,
     is_solid,
     is_speed,
     is_void,
+    of_rotor,
     osculates,
     taken_off,
     traced,
@@ -43,6 +44,11 @@ def _ring(mark: Mark) -> Marks:
 
 def _role(mark: Mark) -> Role:
     return mark.role if isinstance(mark, Vector) else Role.RESULT
+
+
+def _is_product(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the direction of a mass–radius product, on a rotor seen from its end."""
+    return isinstance(mark, Vector) and of_rotor(figure) and mark.label.startswith("W")
 
 
 def _mass(mark: Mark) -> Marks:
@@ -87,7 +93,7 @@ BODIES: tuple[Kind, ...] = (
     ),
     Kind(
         words=Words("质径积的方向", "direction of a mass–radius product"),
-        met=is_product,
+        met=_is_product,
         sample=lambda one: arrow(_role(one)),
         plain=True,
     ),

@@ -183,11 +183,6 @@ def is_force(figure: Figure, mark: Mark) -> bool:
     return named and acts and not of_rotor(figure) and getattr(mark, "role", None) in (Role.GIVEN, Role.RESULT)
 
 
-def is_product(figure: Figure, mark: Mark) -> bool:
-    """Whether it is the direction of a mass–radius product, on a rotor seen from its end."""
-    return isinstance(mark, Vector) and of_rotor(figure) and mark.label.startswith("W")
-
-
 def is_speed(figure: Figure, mark: Mark) -> bool:
     """Whether it is a velocity where it is, at a point of a link."""
     acts = figure.view.bodies or figure.view is View.MECHANISM
