@@ -53,20 +53,24 @@ def _through_changes(study: Study, one: Conditioning) -> Words:
     )
 
 
+def _all_round(study: Study, told: bool, groups: list[Conditioning]) -> Words:
+    """That the drive turns right round, through change points where there are any."""
+    driver, changed = _driver(study), [one for one in groups if one.is_none]
+    if changed:
+        return _through_changes(study, changed[0])
+    return Words(
+        f"计算结果{'与此一致' if told else '表明'}：{driver.zh}整周转动时，机构在全部位置均可装配，无死点。",
+        f"The calculation {'agrees' if told else 'shows'}: the mechanism can be assembled in "
+        f"every position of {driver.en}, and there is no dead point.",
+    )
+
+
 def _range(study: Study, told: bool, groups: list[Conditioning]) -> Iterator[Words]:
     driver, whole, free = _driver(study), study.entire, study.facts.unlimited
-    dead, changed = _singular(study, groups), [one for one in groups if one.is_none]
-    if whole.whole and changed:
-        yield _through_changes(study, changed[0])
-    elif whole.whole:
-        yield Words(
-            f"计算结果{'与此一致' if told else '表明'}：{driver.zh}整周转动时，机构在全部位置均可装配，无死点。",
-            f"The calculation {'agrees' if told else 'shows'}: the mechanism can be assembled in "
-            f"every position of {driver.en}, and there is no dead point.",
-        )
     if whole.whole:
+        yield _all_round(study, told, groups)
         return
-    drive = whole.drive
+    dead, drive = _singular(study, groups), whole.drive
     low, high = (study.place(q) for q in (whole.low, whole.high))
     if all(free):
         yield Words(
