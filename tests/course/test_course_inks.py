@@ -48,8 +48,8 @@ def test_the_list_of_symbols_has_those_of_the_words(lang: Lang) -> None:
 
 def test_a_symbol_is_listed_where_a_table_or_a_sentence_has_it_and_only_there() -> None:
     table = DataTable(["$J_F$ /(kg·m²)"], [["1"]], lang="en", caption="")
-    assert [row[0] for row in used(words_in({"a": ["x $δ$ y"], "t": table}))] == ["$δ$", "$J_F$"]
-    assert not [*used(words_in([1, None, "delta"]))]
+    assert [row[0] for row in used(words_in({"a": ["x $δ$ y"], "t": table}), loaded=True)] == ["$δ$", "$J_F$"]
+    assert not [*used(words_in([1, None, "delta"]), loaded=True)]
 
 
 @pytest.mark.parametrize(("name", "key", "drawn"), [("3-12", "v_D", "v_D4"), ("excavator-boom", "a_C", "a_C3")])

@@ -52,6 +52,9 @@ def test_moments_and_forces_of_friction_are_listed_as_the_equations_have_them() 
 
 def test_symbols_of_masses_arms_and_limit_angles_are_listed_where_they_are_written() -> None:
     """Those of a motion stand for themselves in its formulas; these only in the words."""
-    listed = {symbol for symbol, _, _ in rows_of(studied("3-9"), "$k$ = 4 $m_{3}$, $S_3$, $J_{S3}$, $h_0$, $W_{c1}$")}
+    listed = {
+        symbol
+        for symbol, _, _ in rows_of(studied("six-bar-dynamic"), "$k$ = 4 $m_{3}$, $S_3$, $J_{S3}$, $h_0$, $W_{c1}$")
+    }
     assert {"$N$、$k$", "$m_i$", "$S_i$", "$J_{Si}$", "$h$", "$W_{ci}$"} <= listed
     assert not {"$m_i$", "$h$"} & {symbol for symbol, _, _ in rows_of(studied("3-9"), "$ω_m$")}

@@ -18,6 +18,7 @@ from vecpoly.cli.terminal import warn
 from vecpoly.cycle import cycle
 from vecpoly.cycle.table import csv_bytes, table
 from vecpoly.errors import VecpolyError
+from vecpoly.findings.conditioning import conditioning
 from vecpoly.findings.motion import _range
 from vecpoly.findings.study.study import Study
 from vecpoly.problem.editors.patterns import omega
@@ -217,7 +218,7 @@ def test_the_words_over_formulas_name_the_same_in_both_languages_and_one_point_o
 
 @pytest.mark.parametrize("told", [True, False])
 def test_a_calculation_agrees_only_where_something_was_told_before(told: bool) -> None:
-    said = list(_range(studied("A-26"), told, Words("死点", "a dead point")))
+    said = list(_range(studied("A-26"), told, conditioning(studied("A-26"))))
     for words in said:
         assert ("与此一致" in words.zh) == ("agrees" in words.en) and ("表明" in words.zh) == ("shows" in words.en)
     assert ("agrees" in said[0].en) == told

@@ -40,7 +40,7 @@ def shaking_of(problem: Problem, drawn: Mapping[str, float]) -> Words | None:
         f"惯性力为零",
         f"Check ({_over(len(without.at)).en}): without counterweights the shaking force on the frame is {most:.4g} N "
         f"at most (drive at {degrees(where):.4g}°); with exact ones the common centre of mass rests at "
-        f"({x}, {y}) mm and the force is nothing",
+        f"({x}, {y}) mm and the force is zero",
     )
     hung = _hung(mech, asked, drawn)
     if hung is None or not most:

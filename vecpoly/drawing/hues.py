@@ -77,5 +77,5 @@ def tint_of(view: View, tones: Tones) -> Hue:
 
 
 def dash_of(key: str) -> Dash:
-    """The pattern of a vector: without friction, beside that with it, it is dashed."""
-    return Dash.DASHED if key.endswith(("_0", ",0")) else Dash.FULL
+    """The pattern of a vector: a force without friction, beside that with it, is dashed; V_0, a vibration, is none."""
+    return Dash.DASHED if key.endswith(("_0", ",0")) and not key.startswith("V_") else Dash.FULL

@@ -82,6 +82,8 @@ def _bars(study: Study, one: Conditioning, d: Dyad) -> Words:
     best, equal = degrees(2 * atan(low / high)), hypot(low, high) / 2
     la, lb = (f"$l_{{{''.join(sorted(pair))}}}$" for pair in ((p, c), (q, c)))
     square = "$" + f"{la}^2 + {lb}^2 − 2 {la} {lb} cos γ".replace("$", "") + "$"
+    if one.is_none:  # at a change point: its lengths are equal on purpose
+        return _worst(study, one, d, (low, high))
     told = _worst(study, one, d, (low, high)) + Words(
         f"由 ${p}{q}^2$ = {square}，要使 $γ$ ≥ 40°，${p}{q}$ 须在 {_mm(least)} 至 {_mm(most)} mm 之间，"
         f"而现为 {_mm(low)} 至 {_mm(high)} mm。",
@@ -113,10 +115,11 @@ def _worst(study: Study, one: Conditioning, d: Dyad, between: tuple[float, float
     lowest = study.extremes(one.gamma.key).lowest
     folded = lowest is not None and one.gamma.least.phi == lowest.phi
     what = Words("最短" if folded else "最长", "shortest" if folded else "longest")
-    how = Words("接近重叠" if folded else "接近拉直", "nearly folded" if folded else "nearly stretched")
+    near = Words("", "") if one.is_none else Words("接近", "nearly ")
+    how = near + (Words("重叠", "folded") if folded else Words("拉直", "stretched"))
     gamma, at = degrees(one.gamma.least.value), least_places(study, one.gamma)
     symbol, lines = study.whole.info(one.gamma.key).symbol, _in_line(study, d, one.gamma.least)
-    grown = _magnified(one)
+    grown = _magnified(study, one)
     return Words(
         f"{one.group.title.zh}：${symbol}$ 在 {at.zh} 处最小，为 {gamma:.1f}°，此时 ${p}{q}$ {what.zh}（"
         f"{_mm(low if folded else high)} mm{lines.zh}），${p}{c}$ 与 ${c}{q}$ {how.zh}，"
@@ -127,13 +130,13 @@ def _worst(study: Study, one: Conditioning, d: Dyad, between: tuple[float, float
     )
 
 
-def _magnified(one: Conditioning) -> Words:
-    """What errors come to at the least γ; at a change point or a dead point they have no bound."""
+def _magnified(study: Study, one: Conditioning) -> Words:
+    """What errors come to at the least γ; at a change point, or at a dead point, they have no bound."""
     if one.is_none:
+        what = Words("变点", "a change point") if study.entire.whole else Words("死点", "a dead point")
         return Words(
-            "此处机构处于转折点（或死点），微小的误差就使位置、速度和加速度不能确定",
-            "the mechanism is at a change point (or a dead point): the least error leaves its position, velocities and "
-            "accelerations open",
+            f"此处机构处于{what.zh}，微小的误差就使位置、速度和加速度不能确定",
+            f"the mechanism is at {what.en}: the least error leaves its position, velocities and accelerations open",
         )
     times = f"1/$sin γ$ = {one.times}"
     return Words(
@@ -150,7 +153,7 @@ def _rod(study: Study, one: Conditioning, d: Dyad) -> Words:
     link = study.mech.link(d.link_j)
     length, gamma, at = abs(link.points[p] - link.points[c]), one.gamma.least.value, least_places(study, one.gamma)
     needed, symbol = 1e-6 * ceil(1e6 * length * cos(gamma) / cos(_LEAST)), study.whole.info(one.gamma.key).symbol
-    line, grown = f"$l_{{{''.join(sorted(p + c))}}}$", _magnified(one)
+    line, grown = f"$l_{{{''.join(sorted(p + c))}}}$", _magnified(study, one)
     told = Words(
         f"{one.group.title.zh}：${symbol}$ 在 {at.zh} 处最小，为 {degrees(gamma):.1f}°，此时连杆 ${p}{c}$ "
         f"对导路偏斜最大，{grown.zh}。要使 $γ$ ≥ 40°，须 {line} ≥ {line}·$cos γ_{{min}}$/$cos 40°$ = {_mm(needed)} "

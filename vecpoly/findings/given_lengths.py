@@ -78,6 +78,7 @@ def _of_link(mech: Mechanism, link: Link, written: frozenset[str]) -> Iterator[D
 
 def _of_placement(mech: Mechanism, link: Link, one: Placed, written: frozenset[str]) -> Iterator[Dimension]:
     (i,), placement = one.places, link.placements[one.places[0]]
+    axis = _axis(mech, link, placement)
     match placement:
         case ByLengths(point=point, base=base):
             yield Dimension(_length(written, base[one.part is Part.SECOND], point), mech, one)
@@ -93,16 +94,27 @@ def _of_placement(mech: Mechanism, link: Link, one: Placed, written: frozenset[s
         case ByOffsets(point=point, base=base, left=left) if one.part is Part.ALONG:
             feet = tuple(k for k, other in enumerate(link.placements) if _one_foot(other, placement))
             if feet[0] == i:
-                line = "".join(base)
                 name = (
-                    Words(f"${point}$ 沿 ${line}$ 的距离", f"${point}$ along ${line}$")
+                    Words(
+                        f"${point}$ 沿{axis.zh}到 ${base[0]}$ 的距离",
+                        f"distance of ${point}$ from ${base[0]}$ along {axis.en}",
+                    )
                     if left
                     else _length(written, base[0], point)
                 )
                 yield Dimension(name, mech, Placed(link=link.name, places=feet, part=Part.ALONG))
         case ByOffsets(point=point, base=base, left=left) if left:
-            line = "".join(base)
-            yield Dimension(Words(f"${point}$ 到 ${line}$ 的距离", f"${point}$ off ${line}$"), mech, one, unsigned=True)
+            name = Words(f"${point}$ 到{axis.zh}的距离", f"distance of ${point}$ from {axis.en}")
+            yield Dimension(name, mech, one, unsigned=True)
+
+
+def _axis(mech: Mechanism, link: Link, placement: Placement) -> Words:
+    """The line along which a point is set out: $AB$; through one point alone the axis of the link."""
+    line = "".join(placement.base)
+    if len(placement.base) > 1:
+        return Words(f" ${line}$ ", f"${line}$")
+    number = mech.number(link.name)
+    return Words(f"构件 {number} 的轴线", f"the axis of link {number}")
 
 
 def _one_foot(other: Placement, placement: ByOffsets) -> bool:

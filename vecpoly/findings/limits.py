@@ -45,7 +45,7 @@ def limit(study: Study, key: str, phi: float) -> Limit | None:
     if not isinstance(dyad.inner, Prismatic):
         return None
     line = complex(here.motion.bodies[dyad.inner.guide].unit[0] * np.exp(1j * dyad.inner.direction))
-    return _guide(study, parent, joint.point, v, line)
+    return _guide(study, (parent, joint.point), v, dyad.inner.guide, line)
 
 
 def _dyad(study: Study, key: str) -> Dyad | None:
@@ -87,14 +87,17 @@ def _coupler(
     )
 
 
-def _guide(study: Study, parent: str, p: str, v: complex, line: complex) -> Limit | None:
-    """The block's pin moves along the guide."""
+def _guide(study: Study, pin: tuple[str, str], v: complex, bar: str, line: complex) -> Limit | None:
+    """The block's pin (its link, its letter) moves along the guide, which a link of the group carries: there are others
+    in the mechanism."""
+    parent, p = pin
+    guide = Words(f"构件 {study.mech.number(bar)} 的导路", f"the slideway of link {study.mech.number(bar)}")
     if abs((v * line.conjugate()).imag) > _SMALL * abs(v):
         return None
     pivot = _pivot(study, parent)
     if pivot:
-        return Limit("square", Words(f"${pivot}{p}$ 垂直于导路", f"${pivot}{p}$ is at right angles to the guide"))
-    return Limit("square", Words(f"$v_{{{p}}}$ 沿导路方向", f"$v_{{{p}}}$ is along the guide"))
+        return Limit("square", Words(f"${pivot}{p}$ 垂直于", f"${pivot}{p}$ is at right angles to ") + guide)
+    return Limit("square", Words(f"$v_{{{p}}}$ 沿", f"$v_{{{p}}}$ is along ") + guide)
 
 
 def _pivot(study: Study, link: str) -> str:

@@ -16,13 +16,14 @@ from .shown import shown
 from .strokes import limits_and_ratio, repeated_strokes
 from .study.study import Study
 from .symmetry import symmetry
+from .transmission import least_places
 
 
 def motion(study: Study, groups: list[Conditioning]) -> Iterator[Words]:
     """The facts of the cycle in order."""
     loops = tuple(full_rotation(study))
     yield from loops
-    yield from _range(study, bool(loops), _singular(study, groups))
+    yield from _range(study, bool(loops), groups)
     yield from _turns(study)
     for stroke in study.facts.strokes:
         yield limits_and_ratio(study, stroke)
@@ -39,16 +40,37 @@ def _driver(study: Study) -> Words:
     return Words(f"原动件 {study.mech.drive.link} ", f"the driving link {study.mech.drive.link}")
 
 
-def _range(study: Study, told: bool, dead: Words) -> Iterator[Words]:
+def _through_changes(study: Study, one: Conditioning) -> Words:
+    """How a linkage moves that passes change points."""
+    at = least_places(study, one.gamma) if one.gamma is not None else None
+    where = at or Words.same(study.where(one.phi))
+    return Words(
+        f"计算按题设的装配形式连续通过变点（{where.zh}）：机构在全部位置均可装配，但在变点处须靠惯性或附加的约束"
+        "保持这一装配形式。",
+        f"The calculation goes on through the change points, at {where.en}, in the given assembly: the mechanism "
+        "can be assembled in every position, but there inertia or an additional constraint must keep it in that "
+        "assembly.",
+    )
+
+
+def _all_round(study: Study, told: bool, groups: list[Conditioning]) -> Words:
+    """That the drive turns right round, through change points where there are any."""
+    driver, changed = _driver(study), [one for one in groups if one.is_none]
+    if changed:
+        return _through_changes(study, changed[0])
+    return Words(
+        f"计算结果{'与此一致' if told else '表明'}：{driver.zh}整周转动时，机构在全部位置均可装配，无死点。",
+        f"The calculation {'agrees' if told else 'shows'}: the mechanism can be assembled in "
+        f"every position of {driver.en}, and there is no dead point.",
+    )
+
+
+def _range(study: Study, told: bool, groups: list[Conditioning]) -> Iterator[Words]:
     driver, whole, free = _driver(study), study.entire, study.facts.unlimited
     if whole.whole:
-        yield Words(
-            f"计算结果{'与此一致' if told else '表明'}：{driver.zh}整周转动时，机构在全部位置均可装配，无死点。",
-            f"The calculation {'agrees' if told else 'shows'}: the mechanism can be assembled in "
-            f"every position of {driver.en}, and there is no dead point.",
-        )
+        yield _all_round(study, told, groups)
         return
-    drive = whole.drive
+    dead, drive = _singular(study, groups), whole.drive
     low, high = (study.place(q) for q in (whole.low, whole.high))
     if all(free):
         yield Words(

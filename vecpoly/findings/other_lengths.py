@@ -107,6 +107,9 @@ def output_changes(study: Study, other: Tried) -> Iterator[Words]:
             before, after = _ends(study.extremes(key)), _ends(extremes(other.turn, key))
             if before and after and not _alike(before, after):
                 yield (_swing if key in swings else _greatest)(study, key, before, after)
+            elif after and not before:
+                symbol = f"${study.whole.info(key).symbol}$"
+                yield Words(f"{symbol} 不再恒定", f"{symbol} is no longer constant")
 
 
 def _alike(before: Ends, after: Ends) -> bool:

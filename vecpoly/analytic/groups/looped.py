@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...mechanism.groups.assur import Group
-from ...mechanism.model import Rolling
+from ...mechanism.model import Rack, Rolling
 from ...words import Words
 from ..calculus import substituted
 from ..drive import drive_symbols
@@ -96,7 +96,7 @@ def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
             ),
         )
     if any(isinstance(joint, Rolling) for joint in (*group.inner, *(out.joint for out in group.outer))):
-        return _geared(group, names)
+        return _geared(group, names, racks=_racks(group))
     roman = group.kind.removeprefix("class ")
     zh = {"III": "Ⅲ", "IV": "Ⅳ"}.get(roman, roman)
     return (
@@ -111,18 +111,28 @@ def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
     )
 
 
-def _geared(group: Group, names: list[str]) -> tuple[Words, Words]:
+def _racks(group: Group) -> bool:
+    """Whether any of what rolls is a rack."""
+    every = (*group.inner, *(out.joint for out in group.outer))
+    return any(isinstance(joint.on, Rack) for joint in every if isinstance(joint, Rolling))
+
+
+def _geared(group: Group, names: list[str], *, racks: bool) -> tuple[Words, Words]:
     """Of gears and racks: what they have rolled is one equation among those of the loops."""
     listed, listed_en = "、".join(names), ", ".join(names)
     noun = "links" if len(names) > 1 else "link"
     return (
-        Words(f"含齿轮副的杆组（构件 {listed}）", f"The group with gear pairs ({noun} {listed_en})"),
+        Words(
+            f"齿轮{'齿条' if racks else ''}传动的杆组（构件 {listed}）",
+            f"The group of {'gear and rack' if racks else 'gears'} ({noun} {listed_en})",
+        ),
         Words(
             f"该杆组由构件 {listed} 组成，其中有纯滚动。节点处速度恒相同，故自题设位置起两轮滚过的弧长相等"
-            "（齿条则为移动的距离）；各节点的常数 $θ$ 由题设位置定出，转角以弧度计，不跳变整周。"
+            f"{'（齿条则为移动的距离）' if racks else ''}；各节点的常数 $θ$ 由题设位置定出，转角以弧度计，不跳变整周。"
             "这些关系与封闭矢量方程联立求解。",
             f"Gears roll in the group of {noun} {listed_en}. Both bodies always have one velocity at the pitch point, "
-            "so they have rolled equal arcs since the given position (a rack: lengths). That position fixes the "
+            f"so they have rolled equal arcs since the given position{' (a rack: lengths)' if racks else ''}. "
+            "That position fixes the "
             "constant $θ$ of each pitch point; angles are in radians, counted continuously, without jumps of whole "
             "turns. These relations and the vector loops are solved together.",
         ),

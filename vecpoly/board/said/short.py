@@ -34,8 +34,8 @@ def is_short(reading: Reading) -> bool:
 
 
 def too_short(mm: float) -> bool:
-    """Whether a length shows on a rule, and is too short to be measured with it."""
-    return FINEST <= mm < READABLE
+    """Whether a length shows on a rule, and is too short to be measured with it; what reads as 3.0 mm is not."""
+    return mm >= FINEST and round(mm, 1) < READABLE
 
 
 def _read(reading: Reading) -> bool:

@@ -9,7 +9,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from ...mechanism.loads import Moment
 from ...oracle.forces import Cause
 from ...oracle.forces.acting import given, sought
 from ...oracle.forces.pairs import Pair, pairs_of
@@ -25,6 +24,7 @@ PARTS, ROUNDS = 128, 5  # a boundary's bracket is cut into 128, five times: to 1
 _CAUSES = 8  # more than there are
 _EDGE = 1e-6  # rad, or m
 _NOTHING = 1e-12  # of the greatest power: none
+_IDLE = 1e-9  # of what the loads could do at their speeds: a load that never does more does no work
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,21 +167,26 @@ def _codes(cycle: Cycle, phi: Reals) -> Codes:
     statics, count = sample(cycle.mech, cycle.loads, phi).statics, len(_names(cycle))
     powers = np.array([np.broadcast_to(p, phi.shape) for p in (*statics.powers[: count - 1], statics.powers[-1])])
     with np.errstate(invalid="ignore"):
-        small = np.maximum(_NOTHING * np.nanmax(np.abs(powers), axis=0, initial=0.0), _NOTHING * _capacity(cycle))
+        small = _NOTHING * np.nanmax(np.abs(powers), axis=0, initial=0.0)
         digits = np.where(powers > small, 1, np.where(powers < -small, 2, 0))
+    if _rests(cycle):  # what is left of the powers is rounding
+        digits[:] = 0
     signs = (digits * 3 ** np.arange(count)[:, None]).sum(axis=0)
     causes = statics.causes.astype(np.int_)
     return np.where(causes != Cause.NONE, causes, _CAUSES * signs)
 
 
-def _capacity(cycle: Cycle) -> float:
-    """The power that the largest of the given loads could have at the speed of the drive (W)."""
+@lru_cache(maxsize=4)
+def _rests(cycle: Cycle) -> bool:
+    """Whether no given load does any work, so that there is none for the balancing load either."""
     assert cycle.loads is not None
-    drive, reach = cycle.mech.drive, cycle.mech.scale
-    speed = abs(drive.rate) if drive.slide else abs(drive.rate) * reach
-    given_loads = [(load, load.size) for load in cycle.loads.all if load.size is not None]
-    sizes = (abs(size) / (reach if isinstance(load, Moment) else 1.0) for load, size in given_loads)
-    return speed * max(sizes, default=0.0)
+    phi = _grid(cycle)
+    bodies = sample(cycle.mech, None, phi).motion.bodies
+    every = [part for one in given(cycle.mech, cycle.loads, bodies, phi) for part in one.parts]
+    with np.errstate(invalid="ignore"):
+        could = max((float(np.nanmax(one.could(bodies))) for one in every), default=0.0)
+        done = max((float(np.nanmax(np.abs(one.power(bodies)))) for one in every), default=0.0)
+    return not cycle.loads.friction and done <= _IDLE * could
 
 
 def _stretches(cycle: Cycle, codes: Callable[[Reals], Codes]) -> Iterator[tuple[float, float, int]]:

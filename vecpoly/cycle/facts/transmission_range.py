@@ -14,6 +14,7 @@ from .transmission import folded
 
 USUAL, ABOUT = 40.0, 39.5  # degrees: the usual bound of transmission angles, and what to a whole degree is as much
 POOR, FOLDED = np.radians(ABOUT), np.radians(15.0)  # below: poor transmission; nearly folded
+_STEADY = 1e-9  # rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +26,11 @@ class Transmission:
     kind: str
     least: Spot
     greatest: Spot
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether it is the same in every position, so that none has the least."""
+        return self.greatest.value - self.least.value <= _STEADY
 
     @property
     def is_poor(self) -> bool:

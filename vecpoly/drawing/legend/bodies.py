@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import tau
 
+from ...board.construction import Figure
 from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Mark, Plate, Role, Vector
 from ...words import Words
 from .entry import HALF, MIDDLE, WIDE
@@ -24,6 +25,7 @@ from .met import (
     is_solid,
     is_speed,
     is_void,
+    of_rotor,
     osculates,
     taken_off,
     traced,
@@ -42,6 +44,11 @@ def _ring(mark: Mark) -> Marks:
 
 def _role(mark: Mark) -> Role:
     return mark.role if isinstance(mark, Vector) else Role.RESULT
+
+
+def _is_product(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the direction of a mass–radius product, on a rotor seen from its end."""
+    return isinstance(mark, Vector) and of_rotor(figure) and mark.label.startswith("W")
 
 
 def _mass(mark: Mark) -> Marks:
@@ -64,7 +71,16 @@ CURVES: tuple[Kind, ...] = (
     Kind(words=Words("点的轨迹", "path of a point"), met=is_path, sample=line),
     Kind(words=Words("连杆曲线", "coupler curve"), met=is_coupler_curve, sample=line),
     Kind(
-        words=Words("凸轮廓线（理论廓线）的一段", "part of the profile or pitch curve"), met=is_arc_of_cam, sample=line
+        words=Words("凸轮廓线的一段", "part of the profile"),
+        met=is_arc_of_cam(Role.RESULT),
+        sample=line,
+        brief=Words("凸轮廓线", "profile of the cam"),
+    ),
+    Kind(
+        words=Words("理论廓线的一段", "part of the pitch curve"),
+        met=is_arc_of_cam(Role.HIDDEN),
+        sample=line,
+        brief=Words("理论廓线", "pitch curve"),
     ),
     Kind(words=Words("基圆", "base circle"), met=is_base_circle, sample=line),
 )
@@ -73,6 +89,12 @@ BODIES: tuple[Kind, ...] = (
         words=Words("力（长度不表示大小）", "force (length not to scale)"),
         met=is_force,
         sample=lambda _: arrow(Role.RESULT),
+        plain=True,
+    ),
+    Kind(
+        words=Words("质径积的方向", "direction of a mass–radius product"),
+        met=_is_product,
+        sample=lambda one: arrow(_role(one)),
         plain=True,
     ),
     Kind(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Arc, Mark, Point, Role, Segment
+from ...board.paper.marks import Arc, GearMark, Mark, Point, RackMark, Role, Segment
 from ...words import Words
 from .kind import Kind
 from .letters import is_of_cam, is_of_gear
@@ -57,6 +57,11 @@ def _on_gear(figure: Figure, _: Mark) -> bool:
     return is_of_gear(figure)
 
 
+def _geared(figure: Figure, mark: Mark) -> bool:
+    """Whether it is the circle of a wheel, among others that mesh with it."""
+    return _of("link")(figure, mark) and any(isinstance(one, GearMark | RackMark) for one in figure.marks)
+
+
 def _on_cam(figure: Figure, _: Mark) -> bool:
     return is_of_cam(figure)
 
@@ -105,6 +110,7 @@ ROUNDS = tuple(
         traced(Role.CENTRE, Arc),
         ("齿轮的影像", "image of a gear", _on_images),
         ("齿顶圆、分度圆、齿根圆", "tip, reference, root circle", _on_gear),
+        ("节圆", "pitch circle", _geared),
         ("偏距圆", "offset circle", _of("joint")),
         ("偏距圆", "offset circle", _through("C_0")),
         ("摆轴中心所在的圆", "circle of the pivots", _through("A")),

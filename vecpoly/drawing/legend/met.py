@@ -143,10 +143,10 @@ def is_coupler_curve(figure: Figure, mark: Mark) -> bool:
     return found and any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
 
 
-def is_arc_of_cam(figure: Figure, mark: Mark) -> bool:
-    """Whether it is a part of a cam's curve about one place."""
-    drawn = isinstance(mark, Curve) and mark.role is Role.RESULT and figure.view is View.MECHANISM
-    return drawn and figure.name in _PLACES
+def is_arc_of_cam(role: Role) -> Met:
+    """Whether it is a part of a cam's curve about one place: of its profile, or (dashed) of the pitch curve."""
+    drawn = traced(role, Curve)
+    return lambda figure, mark: drawn(figure, mark) and figure.view is View.MECHANISM and figure.name in _PLACES
 
 
 def is_base_circle(figure: Figure, mark: Mark) -> bool:
@@ -180,7 +180,7 @@ def is_force(figure: Figure, mark: Mark) -> bool:
     """Whether it is a force where it acts, on a link or on the mechanism."""
     acts = figure.view.bodies or figure.view is View.MECHANISM
     named = isinstance(mark, Vector) and (mark.label[:1] in _FORCES or mark.label == "mg")
-    return named and acts and getattr(mark, "role", None) in (Role.GIVEN, Role.RESULT)
+    return named and acts and not of_rotor(figure) and getattr(mark, "role", None) in (Role.GIVEN, Role.RESULT)
 
 
 def is_speed(figure: Figure, mark: Mark) -> bool:

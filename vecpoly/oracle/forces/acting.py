@@ -33,6 +33,11 @@ class Acting:
         own = dot(self.force, body.velocity_at(self.at)) + self.couple * body.omega
         return own if self.opposite is None else own + self.opposite.power(rates)
 
+    def could(self, rates: Bodies) -> Reals:
+        """|F| |v| + |M ω| (W): what it would do if it lay along its point's velocity."""
+        body = rates[self.link]
+        return np.abs(self.force) * np.abs(body.velocity_at(self.at)) + np.abs(self.couple * body.omega)
+
     @property
     def parts(self) -> tuple[Acting, ...]:
         """This force, and the opposite one of a cylinder or a spring."""

@@ -50,7 +50,8 @@ def _tables(study: Study, press: Press) -> Iterator[str]:
         for c in study.whole.columns
         if c.key.startswith("s_") and not np.allclose(study.turn.real(c.key), drive, equal_nan=True)
     ]
-    told = [key for s in slides for key in (s, f"v_{s[2:]}", f"a_{s[2:]}")] + [t.key for t in study.facts.transmissions]
+    told = [key for s in slides for key in (s, f"v_{s[2:]}", f"a_{s[2:]}")]
+    told += [t.key for t in study.facts.transmissions if not t.is_constant]
     wide = sum(len(study.turn.info(part.format(letter)).parts) for letter in last for part in parts)
     if last and told and len(told) + wide <= _COLUMNS:  # both in one table
         told += [part.format(letter) for letter in last for part in parts]

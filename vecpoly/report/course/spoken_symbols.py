@@ -14,7 +14,15 @@ COUNTED: tuple[Row, ...] = (  # in the chapter on the structure, which every rep
     ("$n$、$p_L$、$p_H$", Words("活动构件数、低副数、高副数", "numbers of moving links, lower, higher pairs"), "—"),
     ("$F$", Words("机构的自由度", "degrees of freedom"), "—"),
 )
-ARM = "$h$"
+_OF_FORCES: tuple[tuple[str, Row], ...] = (  # where none act these letters are points and their images
+    (r"\$m_\{?[\di]", ("$m_i$", Words("构件 $i$ 的质量", "mass of link $i$"), "kg")),
+    (r"\$S_\{?[\di]", ("$S_i$", Words("构件 $i$ 的质心", "centre of mass of link $i$"), "—")),
+    (
+        r"\$J_\{?S",
+        ("$J_{Si}$", Words("构件 $i$ 对质心的转动惯量", "moment of inertia of link $i$ about $S_i$"), "kg·m²"),
+    ),
+    (r"\$h(_[^$]+)?\$", ("$h$", Words("力（力偶）的力臂", "arm of a force or couple"), "m")),
+)
 _ROWS: tuple[tuple[str, Row], ...] = (  # what they follow from is how they are written
     (r"\$K\$ = ", ("$K$", Words("行程速比系数", "time ratio of the strokes"), "—")),
     (r"\$θ\$ = ", ("$θ$", Words("极位夹角", "angle between the limit positions of the drive"), "°")),
@@ -33,21 +41,16 @@ _ROWS: tuple[tuple[str, Row], ...] = (  # what they follow from is how they are 
         r"\$k\$ = \d",
         ("$N$、$k$", Words("瞬心数、构件数（含机架）", "numbers of centres, of links with the frame"), "—"),
     ),
-    (r"\$m_\{?[\di]", ("$m_i$", Words("构件 $i$ 的质量", "mass of link $i$"), "kg")),
-    (r"\$S_\{?[\di]", ("$S_i$", Words("构件 $i$ 的质心", "centre of mass of link $i$"), "—")),
-    (
-        r"\$J_\{?S",
-        ("$J_{Si}$", Words("构件 $i$ 对质心的转动惯量", "moment of inertia of link $i$ about $S_i$"), "kg·m²"),
-    ),
-    (r"\$h(_[^$]+)?\$", (ARM, Words("力（力偶）的力臂", "arm of a force or couple"), "m")),
+    *_OF_FORCES,
     (r"\$W_\{?c", ("$W_{ci}$", Words("构件 $i$ 上配重的质径积", "mass-radius product on link $i$"), "kg·m")),
     (r"\$P_\{?[FM]", ("$P_F$、$P_M$", Words("力、力矩的功率", "powers of a force, of a moment"), "W")),
 )
 
 
-def used(told: str) -> Iterator[Row]:
-    """The rows of those that stand in these words."""
-    yield from (row for written, row in _ROWS if re.search(written, told))
+def used(told: str, *, loaded: bool) -> Iterator[Row]:
+    """The rows of those that stand in these words; loaded: whether forces act, or masses are given."""
+    rows = (row for row in _ROWS if loaded or row not in _OF_FORCES)
+    yield from (row for written, row in rows if re.search(written, told))
 
 
 def words_in(thing: object) -> str:

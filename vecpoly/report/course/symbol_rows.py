@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from ...analytic.expr import Var
 from ...analytic.forces.balance import ForceModel, force_model
-from ...board.construction import Figure, View
+from ...board.construction import Figure, Step
 from ...figures import views
 from ...findings.study.study import Study
 from ...foundation.indices import LETTER
@@ -27,7 +27,12 @@ _CURVED = (  # by the beginnings of the keys
 )
 
 
-_GEAR = Words("齿轮的节圆半径", "pitch radius of a gear")
+_PARTS = (  # of an acceleration, by their superscripts
+    ("n", Words("法向", "normal")),
+    ("t", Words("切向", "tangential")),
+    ("k", Words("哥氏", "Coriolis")),
+    ("r", Words("相对", "relative")),
+)
 
 
 def model(study: Study) -> Iterator[Row]:
@@ -101,14 +106,13 @@ def auxiliary(study: Study) -> Iterator[Row]:
         yield "$G_2$、$G_3$", Words("加速度方程组的右端", "right sides, acceleration equations"), "m/s²"
 
 
-def _others(study: Study, constants: list[str]) -> Iterator[Row]:
-    """Offsets, fixed angles, the sign of the assembly."""
-    rolls = Words("滚子的半径", "radius of a roller") if study.mech.contacts else _GEAR
+def _others(constants: list[str]) -> Iterator[Row]:
+    """Offsets, fixed angles, pitch radii, the sign of the assembly."""
     for stem, words, unit in (
         ("e_", Words("导路的偏距", "offset of a guide"), "mm"),
         ("ψ_", Words("导路的方向角", "direction of a guide"), "°"),
         ("δ_", Words("移动副两构件的固定夹角", "fixed angle between links of a sliding pair"), "°"),
-        ("r_", rolls, "mm"),
+        ("r_", Words("齿轮的节圆半径", "pitch radius of a gear"), "mm"),
         ("σ", Words("装配模式系数，$σ$ = ±1", "sign that tells the assembly, $σ$ = ±1"), "—"),
     ):
         found = next((c for c in constants if c.startswith(stem)), "")
@@ -202,13 +206,20 @@ def letters(study: Study) -> Iterator[Row]:
 
 
 def components(study: Study) -> Iterator[Row]:
-    """Of accelerations."""
-    if View.ACCELERATION in {figure.view for figure in _figures(study)}:
-        yield (
-            "$a^n$、$a^t$、$a^k$",
-            Words("法向、切向、哥氏加速度", "normal, tangential, Coriolis acceleration"),
-            "m/s²",
-        )
+    """Of accelerations, those that stand in the vector equations of the drawing."""
+    if not study.drawn:
+        return
+    terms = " ".join(symbol for step in study.solution.construction.steps for symbol in _terms(step))
+    found = [
+        (f"$a^{letter}$", words) for letter, words in _PARTS if f"a^{letter}" in terms or f"a^{{{letter}}}" in terms
+    ]
+    if found:
+        names = Words("、".join(w.zh for _, w in found), ", ".join(w.en for _, w in found))
+        yield "、".join(symbol for symbol, _ in found), names + Words("加速度", " acceleration"), "m/s²"
+
+
+def _terms(step: Step) -> tuple[str, ...]:
+    return step.equation.symbols if step.equation else ()
 
 
 def _figures(study: Study) -> Sequence[Figure]:

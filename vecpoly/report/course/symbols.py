@@ -10,7 +10,7 @@ from ..flow.style import Style
 from ..flow.table import DataTable
 from . import symbol_rows
 from .numbering import Press
-from .spoken_symbols import ARM, COUNTED, Row, used
+from .spoken_symbols import COUNTED, Row, used
 
 _HEADER = {"zh": ["符号", "含义", "单位"], "en": ["Symbol", "Meaning", "Unit"]}
 _SET = Style(size=9.0, leading=10.0, after=0.0, align="left")
@@ -41,11 +41,10 @@ def symbols(study: Study, press: Press, told: str = "") -> str:
 
 def rows_of(study: Study, told: str) -> list[Row]:
     """The counts of the structure, the quantities, what is auxiliary, the scales, the letters of the drawings."""
+    loaded = study.problem.acting is not None
     own = [*symbol_rows.model(study), *symbol_rows.forces(study), *symbol_rows.components(study)]
     taken = {symbol for symbol, _, _ in own}
-    if study.problem.loads is None:
-        taken.add(ARM)  # an h that is spoken of is a point
-    counted, spoken = ([row for row in rows if row[0] not in taken] for rows in (COUNTED, used(told)))
+    counted, spoken = ([row for row in rows if row[0] not in taken] for rows in (COUNTED, used(told, loaded=loaded)))
     behind = [*symbol_rows.auxiliary(study), *symbol_rows.scales(study), *symbol_rows.letters(study)]
     return [*counted, *symbol_rows.centres(study), *symbol_rows.curvatures(study), *ordered([*own, *spoken]), *behind]
 

@@ -76,7 +76,7 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
         place,
     )
     it = posed(bench, cam, place, spot, MOST_BENT)
-    copied(bench, place, cuts, spot)
+    copied(bench, place, cam, cuts, spot)
     show(bench, place, cam, it)
     centre, tip, moved = centre_of_curvature(board, it, HALF)
     board.arrow(place, it.b, tip, Role.GIVEN, label="v_B")

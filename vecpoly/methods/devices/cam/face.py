@@ -30,7 +30,7 @@ def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot:
     board = bench.board
     board.step(_told(cam, spot), place)
     it = posed(bench, cam, place, spot, MOST_BENT)
-    copied(bench, place, cuts, spot, edge=True)
+    copied(bench, place, cam, cuts, spot, edge=True)
     touch = board.meet(board.parallel(it.pole, it.way), board.parallel(it.b, 1j * it.way), "")
     centre, _ = osculating(board, cam, it)
     _shown(bench, place, cam, it)

@@ -71,7 +71,7 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
         place,
     )
     it = posed(bench, cam, place, spot, letter)
-    copied(bench, place, cuts, spot)
+    copied(bench, place, cam, cuts, spot)
     show(bench, place, cam, it)
     outward = it.normal * -1
     along = it.way if float(nominal((np.conj(outward) * it.way).real)) > 0 else -it.way
@@ -111,12 +111,13 @@ def detail(board: Board, cam: Cam) -> Scale:
     return whole if value == whole.value else replace(whole, symbol="μ_l′", value=value)
 
 
-def copied(bench: Bench, place: Pane, cuts: Sequence[Cut], spot: Spot, *, edge: bool = False) -> None:
+def copied(bench: Bench, place: Pane, cam: Cam, cuts: Sequence[Cut], spot: Spot, *, edge: bool = False) -> None:
     """The part of the pitch curve, or of the profile, near the place."""
     near = [cut for cut in cuts if abs((cut.station.phi - spot.phi + pi) % (2 * pi) - pi) < NEAR]
     near.sort(key=lambda cut: (cut.station.phi - spot.phi + pi) % (2 * pi))
     times = bench.board.scale_of(View.MECHANISM).value / bench.board.scale_of(place).value
-    bench.board.curve(place, [times * (cut.touch if edge else cut.pose.b) for cut in near], Role.RESULT)
+    role = Role.HIDDEN if cam.follower.roller else Role.RESULT  # as on the sheet of the whole cam
+    bench.board.curve(place, [times * (cut.touch if edge else cut.pose.b) for cut in near], role)
 
 
 def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:

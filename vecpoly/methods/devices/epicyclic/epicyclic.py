@@ -82,26 +82,36 @@ def _held_and_turned(bench: Bench, train: Epicyclic, radii: Mapping[str, float])
     teeth(bench, train)
 
 
+def _laid_words(train: Epicyclic, known: list[str]) -> Words:
+    """The half-section, and the known velocities laid off on it; that of a held gear is zero."""
+    moving = [key for key in known if (omega := train.omegas[key]) is not None and omega.si] or known
+    told = "、".join(f"$v_{{{POINTS[key]}}}$" for key in moving)
+    held = [f"$v_{{{POINTS[key]}}}$ = 0" for key in known if key not in moving]
+    return Words(
+        "按 $μ_l$ 画出轮系轴线以上的半剖面简图，以半径为纵坐标、速度为横坐标。各点都在 $O$ 的正上方，构件逆时针转"
+        "动时速度向左，取为正；顺时针转动时向右，为负。"
+        f"由已知的角速度算出 {told}，在{'各自' if len(moving) > 1 else '其'}半径的高度上按其方向量出"
+        f"{f'（{held[0]}）' if held else ''}；轮 1、3 和系杆的速度线都过 $O$。",
+        "Draw the half-section of the train above its axis to the scale $μ_l$. Radii are plotted upwards, "
+        "velocities sideways. All points lie vertically above $O$; a point of a link that turns counter-clockwise "
+        "moves to the left (positive), of one that turns clockwise to the right (negative). "
+        f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay "
+        + (
+            "them off, each in its direction, at the heights of their radii"
+            if len(moving) > 1
+            else "it off in its direction, at the height of its radius"
+        )
+        + (f" ({held[0]})" if held else "")
+        + ". The velocity lines of gears 1 and 3 and of the carrier pass through $O$.",
+    )
+
+
 def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
     """The tips of the velocities of A, O_2 and C, at the height of their radii."""
     board = bench.board
     board.section(Words("线速度图", "Linear-velocity diagram"))
     known = [key for key, omega in train.omegas.items() if omega is not None]
-    told = "、".join(f"$v_{{{POINTS[key]}}}$" for key in known)
-    board.step(
-        Words(
-            "按 $μ_l$ 画出轮系轴线以上的半剖面简图，以半径为纵坐标、速度为横坐标。各点都在 $O$ 的正上方，构件逆时针转"
-            "动时速度向左，取为正；顺时针转动时向右，为负。"
-            f"由已知的角速度算出 {told}，在各自半径的高度上按其方向量出；轮 1、3 和系杆的速度线都过 $O$。",
-            "Draw the half-section of the train above its axis to the scale $μ_l$. Radii are plotted upwards, "
-            "velocities sideways. All points lie vertically above $O$; a point of a link that turns counter-clockwise "
-            "moves to the left (positive), of one that turns clockwise to the right (negative). "
-            f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off, each in its "
-            "direction, at the heights of their radii. The velocity lines of gears 1 and 3 and of the "
-            "carrier pass through $O$.",
-        ),
-        RADII,
-    )
+    board.step(_laid_words(train, known), RADII)
     mm = board.scale_of(RADII).value
     top = max(train.radii["3"], train.radii["H"]) / mm
     board.join(RADII, 0j, 1j * (top + 8), Role.CENTRE)

@@ -75,10 +75,11 @@ def judged_within(bench: Bench, end: str, polygon: Polygon, left: Points, allowe
         in_plane(
             end,
             Words(
-                "以 $O$ 为圆心、$U_{per}$ 为半径作圆，看"
+                f"以 $O$ 为圆心、$U_{{per{end}}}$ 为半径作圆，看"
                 + ("取整后的" if rounded else "校正前的")
                 + "末端在圆内还是圆外。",
-                "About $O$ draw a circle of radius $U_{per}$, the permissible unbalance, and see whether the tip "
+                f"About $O$ draw a circle of radius $U_{{per{end}}}$, the permissible unbalance of the plane, and see "
+                "whether the tip "
                 + ("that the rounded weights leave" if rounded else "before any correction")
                 + " lies inside.",
             ),

@@ -88,9 +88,9 @@ def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None
     _compound(bench, device, found, place)
     board.step(
         Words(
-            "活动构件数、低副数（转动副与移动副，复合铰链按上述计）和高副数为：",
-            "The numbers of moving links, of lower pairs (revolute and prismatic joints, multiple "
-            "joints counted as above) and of higher pairs are:",
+            f"活动构件数、低副数（转动副与移动副{'，复合铰链按上述计' if found.compound else ''}）和高副数为：",
+            "The numbers of moving links, of lower pairs (revolute and prismatic joints"
+            f"{', multiple joints counted as above' if found.compound else ''}) and of higher pairs are:",
         )
     )
     n, low, high = (

@@ -86,5 +86,6 @@ def written_power(st: Statics, work: Work) -> Quantity:
     if way:
         st.board.write_worked(quantity.node, Sum((work.expr,), (way,)), "W")
     else:
-        st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" The force ${work.named.symbol}$ does no work."))
+        what = "moment" if work.named.unit == "N·m" else "force"
+        st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" The {what} ${work.named.symbol}$ does no work."))
     return quantity

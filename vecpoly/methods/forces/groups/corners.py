@@ -10,7 +10,7 @@ from ....plane import Points
 from ....vector.equation import Term
 from ....words import Words
 from ..acting import Acting, Drawn
-from ..lines.arms import Turning
+from ..lines.arms import Turning, without_moment
 from ..state import Statics
 
 
@@ -89,7 +89,7 @@ def tangential(st: Statics, by: str, on: str, arm: tuple[str, str], turning: Tur
     named = part_named(st.named(by, on), "t")
     i, j = st.mech.number(by), st.mech.number(on)
     if not turning.way:
-        st.board.remark(Words(f"故 $R^t_{{{i}{j}}}$ = 0。", f" so $R^t_{{{i}{j}}}$ = 0."))
+        st.board.remark(without_moment(f"$R^t_{{{i}{j}}}$"))
         return 0j
     length = st.desk.length(p, about)
     st.board.compute(named.symbol, turning.size / length, "N")

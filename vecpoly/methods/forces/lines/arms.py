@@ -131,3 +131,10 @@ def _couples(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
     for (by, on), couple in st.couples.items():
         if on == link:
             yield f"M_{{f{st.mech.number(by)}{st.mech.number(on)}}}", couple
+
+
+def without_moment(symbol: str) -> Words:
+    """After a colon: that the other forces have no moment about the point, so that this one is nothing."""
+    return Words(
+        f"其余各力对该点之矩为零，故 {symbol} = 0。", f" the other forces have no moment about it, so {symbol} = 0."
+    )

@@ -21,7 +21,7 @@ from ...registry import Stage, method
 from ..bodies.arrows import REACH
 from ..groups.body import SHORT, group_pane
 from ..groups.corners import part_named
-from ..lines.arms import Turning, joined, moments_at
+from ..lines.arms import Turning, joined, moments_at, without_moment
 from ..lines.letters import arm_about_point
 from ..state import Statics
 from .chain import draw_chain
@@ -96,7 +96,7 @@ def _along_axis(
     letter, place = about
     named = part_named(st.named(leg.reaction.by, leg.reaction.on), leg.reaction.part)
     if not turning.way:
-        st.board.remark(Words(f"故 ${named.symbol}$ = 0。", f" so ${named.symbol}$ = 0."))
+        st.board.remark(without_moment(f"${named.symbol}$"))
         return 0j
     end = foot(leg.line, place)
     symbol = arm_about_point(named.symbol, letter)

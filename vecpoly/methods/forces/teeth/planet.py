@@ -23,7 +23,7 @@ from ..groups.body import SHORT, draw_forces, group_pane
 from ..groups.corners import Reaction, part_named
 from ..groups.reactions import settle_pin
 from ..groups.rrr import split
-from ..lines.arms import Turning, acting_on, joined, moments_at, moments_of
+from ..lines.arms import Turning, acting_on, joined, moments_at, moments_of, without_moment
 from ..lines.letters import arm_about_point
 from ..lines.resultant import Resultant
 from ..readings import write_sizes
@@ -78,7 +78,7 @@ def _teeth(st: Statics, one: Carried, across: Reaction, pair: tuple[Mesh, Mesh])
     st.board.step((_told_again if before else _told)(st, one, pair), group_pane(st, *one.links))
     turning = _known(st, one, across, other.teeth.point, k)
     if not turning.way:
-        st.board.remark(Words(f"故 ${named.symbol}$ = 0。", f" so ${named.symbol}$ = 0."))
+        st.board.remark(without_moment(f"${named.symbol}$"))
         st.settle(mesh.by, one.planet, 0j, h)
         return
     along = st.board.turn(_pressing(st, mesh, h, -turning.way * 1j * unit(h - k)))

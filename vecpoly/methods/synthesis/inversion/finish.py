@@ -20,7 +20,7 @@ from ....plane import Points, Reals, nominal
 from ....plane.geometry import dot
 from ....words import Words
 from ..draft import SHEET
-from ..linkage import drawn, rejected, slider
+from ..linkage import drawn, rejected
 from .judged import drives, judged, turns_fully
 from .sheet import Sheet, Stands
 
@@ -43,8 +43,6 @@ def joined(sheet: Sheet, verdict: Verdict) -> None:
     for loop in plan.loops:
         thick, *thin = (_chain(sheet, loop, n) for n in range(plan.count))
         drawn(draft, thick, *thin, verdict=verdict)
-        if isinstance(loop, Sliding):
-            slider(draft, sheet.pins[loop.c], loop.along)
     if sheet.labels and verdict is Verdict.VALID:
         _lettered(sheet)
     draft.rejected = verdict is not Verdict.VALID

@@ -12,7 +12,7 @@ from ....plane import Points
 from ....words import Words
 from ..angles import marked, valued
 from ..draft import SHEET, Draft
-from ..linkage import pin
+from ..linkage import pin, slider
 from .sheet import Places, Sheet, Stands, lettered, placed
 
 SYMBOLS = (("φ", "phi"), ("ψ", "psi"), ("χ", "chi"))  # of the links that turn, in order
@@ -31,6 +31,7 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
         places = tuple(placed(draft, at) for at in slide.places)
         pins[slide.letter] = lettered(draft, slide.letter, places)
         board.join(SHEET, pins[slide.letter][0], pins[slide.letter][-1], Role.CENTRE)
+        slider(draft, pins[slide.letter], slide.along)
     sheet = Sheet(draft=draft, plan=plan, pins=FrozenMap(pins), bodies=FrozenMap({}))
     for body in plan.bodies:
         sheet = _with_body(sheet, body)

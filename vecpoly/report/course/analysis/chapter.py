@@ -96,11 +96,14 @@ def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
     group, by, low, high = one.group.title, f"$|{one.symbol}|$", study.where(one.phi), study.where(one.top)
     told = Words(f"{group.zh}的行列式 {by} 不变", f"The determinant {by} of the {group.en} does not change")
     if not _is_steady(one):
+        share = Words(f"，为最大值的 {one.ratio:.3f} 倍", f", {one.ratio:.3f} of its largest")
+        if one.is_none:
+            share = Words("，为零", ", where it is zero")
         told = Words(
-            f"{group.zh}的行列式 {by} 在 {high} 处最大，在 {low} 处最小，为最大值的 {one.ratio:.3f} 倍",
-            f"The determinant {by} of the {group.en} is largest at {high} and least at {low}, "
-            f"{one.ratio:.3f} of its largest",
+            f"{group.zh}的行列式 {by} 在 {high} 处最大，在 {low} 处最小",
+            f"The determinant {by} of the {group.en} is largest at {high} and least at {low}",
         )
+        told += share
     if is_square(study, one):
         told += Words("，传动角恒为 90°", ", and the transmission angle is always 90°")
     if one.gamma is not None and not advised:
@@ -119,7 +122,8 @@ def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
             f"。死点（{dead.zh}）处行列式为零，不在工作范围之内。",
             f". {lie} where the determinant vanishes, {'are' if many else 'is'} left out of the working range.",
         )
-    return told + Words(f"。判断：{verdict.zh}。", f". The conditioning is {verdict.en}.")
+    subject = "The group" if one.is_ill else "The conditioning"
+    return told + Words(f"。判断：{verdict.zh}。", f". {subject} is {verdict.en}.")
 
 
 def _verdict(study: Study, one: Conditioning) -> Words:

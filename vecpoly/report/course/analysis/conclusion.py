@@ -128,11 +128,13 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
         yield _near_dead(study)
     elif poor and (study.whole.whole or not all(study.facts.unlimited)):
         told = [_wanting(one) for one in poor]
+        cured = any(not one.is_none for one in poor)  # of a change point there is no more than what it means
+        more = Words("改进的办法见", "Remedies: see") if cured else Words("见", "See")
         yield Words(
             f"杆组方程组的病态（奇异）性：{'；'.join(w.zh for w in told)}"
-            f"{f'；改进的办法见 {mending}' if mending else ''}。",
+            f"{f'；{more.zh} {mending}' if mending else ''}。",
             f"Conditioning of the groups: {'; '.join(w.en for w in told)}."
-            f"{f' Remedies: see {mending}.' if mending else ''}",
+            f"{f' {more.en} {mending}.' if mending else ''}",
         )
     elif groups and not poor:
         yield _sound(study, groups)

@@ -143,10 +143,15 @@ def _line(study: Study, duty: Duty, spots: tuple[Spot | None, ...], lang: Lang, 
     names = [listed(duty.drives) or none, listed(duty.resists) or none]
     names = names if lang == "zh" else [name.replace("、", ", ") for name in names]
     cells = [
-        f"{shown(study, key, abs(spot.value))}{_at(study, spot, lang)}" if spot else "—"
+        _most(shown(study, key, abs(spot.value)), _at(study, spot, lang)) if spot else "—"
         for key, spot in zip(told(study), spots, strict=True)
     ]
     return (*names, *([quotient(study, duty)] if quotients else []), *cells)
+
+
+def _most(value: str, at: str) -> str:
+    """A greatest value and where it is; zero is so everywhere."""
+    return value if value.partition(" ")[0] == "0" else f"{value}{at}"
 
 
 def _at(study: Study, spot: Spot, lang: Lang) -> str:

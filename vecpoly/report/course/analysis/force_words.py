@@ -137,7 +137,7 @@ def _equal(study: Study) -> Iterator[Words]:
         yield Words(
             f"{'、'.join(names)} 与 {one} 处处等值，不另列出。",
             f"The reaction{'s' * (len(names) > 1)} {' and '.join(names)} {'is' if len(names) == 1 else 'are'} "
-            f"everywhere as large as {one} and not tabled.",
+            f"everywhere as large as {one} and not listed apart.",
         )
 
 

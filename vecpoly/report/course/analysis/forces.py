@@ -10,6 +10,7 @@ from ....cycle.facts.duties import Cause, Duty, duties, idle
 from ....findings.load_drive import Driven, driven
 from ....findings.shown import shown, span
 from ....findings.study.study import Study
+from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Loads
 from ....words import Words
 from .duties import best, listed, merged, ranges, told
@@ -100,11 +101,11 @@ def conclusion(study: Study) -> Iterator[Words]:
     loads = study.problem.loads
     if loads is None:
         return
-    if _nothing(study, loads.unknown.name):
-        symbol = f"${study.whole.info(loads.unknown.name).symbol}$"
-        yield Words(f"{span(study).zh}内 {symbol} = 0。", f"Over the {span(study).en} {symbol} = 0.")
+    free = [d for d in duties(study.whole) if not d.cause]
+    if free and not any((*d.drives, *d.resists) for d in free):
+        yield _idle(study, loads)
         return
-    parts = [_part(study, loads, d) for d in duties(study.whole) if not d.cause]
+    parts = [_part(study, loads, d) for d in free]
     if len(parts) > _FEW:
         parts = [_overall(study, key) for key in told(study)]
     if parts:
@@ -121,17 +122,22 @@ def conclusion(study: Study) -> Iterator[Words]:
         )
 
 
-def _nothing(study: Study, key: str) -> bool:
-    """Whether a column is told as 0 throughout."""
-    found = study.extremes(key)
-    spots = [spot for spot in (found.highest, found.lowest) if spot is not None]
-    return bool(spots) and all(shown(study, key, abs(spot.value)).split(" ")[0] == "0" for spot in spots)
+def _idle(study: Study, loads: Loads) -> Words:
+    """Of loads that do no work: the one that balances is nothing."""
+    symbol = f"${load_symbol(loads.unknown.name)}$"
+    return Words(
+        f"{span(study).zh}内已知载荷都不作功，故各位置均有 {symbol} = 0。",
+        f"The given loads do no work in any position of the {span(study).en}, so {symbol} = 0 throughout.",
+    )
 
 
 def _overall(study: Study, key: str) -> Words:
-    """The greatest and the least value of a column."""
+    """The greatest and the least value of a column; the one value of what does not change."""
     found, symbol = study.extremes(key), study.whole.info(key).symbol
     assert found.highest is not None and found.lowest is not None
+    if not study.varies(key):
+        value = shown(study, key, found.highest.value)
+        return Words(f"各位置均有 ${symbol}$ = {value}", f"${symbol}$ is {value} in every position")
     (low, a), (high, b) = ((shown(study, key, s.value), study.where(s.phi)) for s in (found.lowest, found.highest))
     return Words(
         f"${symbol}$ 在 {low}（{a}）至 {high}（{b}）之间", f"${symbol}$ lies between {low} ({a}) and {high} ({b})"
@@ -155,13 +161,23 @@ def _part(study: Study, loads: Loads, duty: Duty) -> Words:
         if spot is not None:
             symbol, turn = study.whole.info(key).symbol, study.whole.period
             at = study.where(spot.phi % turn if turn else spot.phi).split(" = ")[1]
+            at = at if study.varies(key) else ""
             values.append((f"$|{symbol}|$" if key != "eta" else f"${symbol}$", shown(study, key, abs(spot.value)), at))
-    zh = "，".join(f"{s} " + (f"趋于 ∞（{at}）" if v == "∞" else f"最大 {v}（{at}）") for s, v, at in values)
-    en = ", ".join(
-        f"{s} " + (f"grows beyond all bounds ({at})" if v == "∞" else f"up to {v} ({at})") for s, v, at in values
-    )
+    zh = "，".join(f"{s} " + _most(v, at).zh for s, v, at in values)
+    en = ", ".join(f"{s} " + _most(v, at).en for s, v, at in values)
     where, symbol = ranges(study, [duty]), study.whole.drive.symbol
     return Words(
         f"${symbol}$ = {where.zh} 时{'' if who.zh[0] != '$' else ' '}{who.zh}，{zh}",
         f"at ${symbol}$ = {where.en} {who.en}, {en}",
     )
+
+
+def _most(value: str, at: str) -> Words:
+    """The greatest value of a stretch, and where; without a place what is the same in every position."""
+    if not at:
+        return Words(f"恒为 {value}", f"is {value} throughout")
+    if value.partition(" ")[0] == "0":
+        return Words("= 0", "= 0")
+    if value == "∞":
+        return Words(f"趋于 ∞（{at}）", f"grows beyond all bounds ({at})")
+    return Words(f"最大 {value}（{at}）", f"up to {value} ({at})")

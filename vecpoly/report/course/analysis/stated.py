@@ -139,7 +139,7 @@ def _asked(study: Study, key: str) -> Words | None:
     if answer.is_place:
         return _place(answer)
     if _nothing(study, answer):
-        return Words.same(f"{symbol} ≈ 0")
+        return Words.same(f"{symbol} {'=' if is_zero(answer) else '≈'} 0")
     block = output_pins(study).get(key.partition("_")[2]) if key[0] in "va" else None
     number = study.name(block) if block else ""
     name = Words(f"（构件 {number}）" if block else " ", f" (of link {number}) " if block else " ")
@@ -169,14 +169,15 @@ def _numbers(answer: Answer) -> str:
 
 
 def _sense(study: Study, answer: Answer) -> Words:
-    """Which way: the direction of a vector, the sense of what turns, the line along which a force is counted."""
+    """Which way: the direction of a vector, the sense of what turns, the line along which a force is counted; of what
+    reads as zero none."""
+    if is_zero(answer):
+        return Words("", "")
     fixed = direction_of_load(study.problem, answer.key)
-    if drawn_number(answer) == "0":
-        return Words("", "")  # what is nothing has no direction and no sense
     if answer.exact_vector is not None:
-        return _COMMA + _direction(answer.exact_vector)
+        return _COMMA + direction(answer.exact_vector)
     if fixed is not None:
-        return _COMMA + _direction(cmath.rect(1.0, fixed))
+        return _COMMA + direction(cmath.rect(1.0, fixed))
     return _COMMA + _turning(answer.exact) if answer.turns else Words("", "")
 
 
@@ -186,9 +187,16 @@ def _turning(size: float) -> Words:
 
 def _nothing(study: Study, answer: Answer) -> bool:
     """Whether it is nothing: beside its largest in the cycle, where it has one."""
-    if any(column.key == answer.key for column in study.whole.columns):
-        return _vanishes(study, answer.key, answer.exact, answer)
-    return abs(answer.exact) < 1e-9 * max(1.0, answer.expected_error) and drawn_number(answer) == "0"
+    if any(column.key == answer.key for column in study.whole.columns) and _vanishes(
+        study, answer.key, answer.exact, answer
+    ):
+        return True
+    return abs(answer.exact) < 1e-9 * max(1.0, answer.expected_error) and is_zero(answer)
+
+
+def is_zero(answer: Answer) -> bool:
+    """Whether it reads as nothing but noughts: 0, 0.0."""
+    return not drawn_number(answer).strip("−0.")
 
 
 def _computed(study: Study, key: str) -> Words:
@@ -200,7 +208,7 @@ def _computed(study: Study, key: str) -> Words:
         return Words.same(f"${info.symbol}$ ≈ 0")
     turns = key.partition("_")[0] in ("omega", "alpha")
     sense = (
-        _COMMA + (_direction(exact) if info.is_vector else _turning(size)) if info.is_vector or turns else Words("", "")
+        _COMMA + (direction(exact) if info.is_vector else _turning(size)) if info.is_vector or turns else Words("", "")
     )
     return Words.same(f"${info.symbol}$ = {shown(study, key, abs(size) if turns else size)}") + sense
 
@@ -212,7 +220,7 @@ def _vanishes(study: Study, key: str, size: float, answer: Answer | None) -> boo
     return abs(size) < 1e-9 * top and (answer is None or abs(answer.drawn) < 1e-2 * top)
 
 
-def _direction(vector: complex) -> Words:
+def direction(vector: complex) -> Words:
     """Along an axis in words, else the angle from +x."""
     turn = degrees(cmath.phase(vector))
     axis = next((a for a in _AXES if abs((turn - a + 180) % 360 - 180) < _NEAR), None)

@@ -112,12 +112,14 @@ def judged(study: Study, keys: tuple[str, ...], found: tuple[Influence, ...]) ->
     if idle:
         yield Words(
             f"{'、'.join(w.zh for w in idle)} 与表中各量无关，不列入。",
-            f"{', '.join(w.en for w in idle)} {'has' if len(idle) == 1 else 'have'} no influence on these.",
+            _upper(
+                f"{', '.join(the(w.en) for w in idle)} {'has' if len(idle) == 1 else 'have'} no influence on these."
+            ),
         )
     if fitted := [one.dimension.name for one in found if one.fitted]:
         yield Words(
             f"{'、'.join(w.zh for w in fitted)} 由其他尺寸确定（齿轮与齿条须保持啮合），不能单独改变。",
-            f"{', '.join(w.en for w in fitted)} cannot be changed alone: the other dimensions fix "
+            f"{_upper(', '.join(the(w.en) for w in fitted))} cannot be changed alone: the other dimensions fix "
             f"{'it' if len(fitted) == 1 else 'them'}, for gears and racks must stay in mesh.",
         )
     ranked = sorted(
@@ -155,7 +157,7 @@ def _limited(study: Study, found: tuple[Influence, ...]) -> Iterator[Words]:
     told = [
         Words(
             f"{d.name.zh} 改变 {_signed(d, at[0])}（失去的位置在 {study.where(at[1])} 附近）",
-            f"{d.name.en} by {_signed(d, at[0])} (positions about {study.where(at[1])} are lost)",
+            f"{the(d.name.en)} by {_signed(d, at[0])} (positions about {study.where(at[1])} are lost)",
         )
         for _, d, at in limits[:_NAMED]
     ]
@@ -172,27 +174,38 @@ def _weighed(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Wo
     symbol, top = study.turn.info(keys[-1]).symbol, ranked[0].gaps[-1]
     great = [one for one in ranked if one.gaps[-1] >= _LED * top]
     small = [one for one in reversed(ranked) if one.gaps[-1] < _LED * top]
-    told = [_listed(study, keys, some[:_NAMED]) for some in (great, small, ranked[-1:])]
+    told = [_listed(study, keys, some[:_NAMED]) for some in (great, small)]
     zh, en = [words.zh for words in told], [words.en for words in told]
+    ends = _ends(study, keys, ranked)
     if top < _SLIGHT * largest(study, keys[-1]):
         by = _either(ranked, Words("0.1 mm", "0.1 mm"), Words("（0.1°）", " (0.1°)"))
         return Words(
-            f"尺寸误差 {by.zh}对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可"
-            + (f"；其中影响最大的是 {zh[0]}，最小的是 {zh[2]}。" if small else "。"),
-            f"Errors of {by.en} change ${symbol}$ by less than 1 %, so ordinary tolerances suffice"
-            + (f"; the greatest effect is that of {en[0]}, the least that of {en[2]}." if small else "."),
+            f"尺寸误差 {by.zh}对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可；{ends.zh}。",
+            f"Errors of {by.en} change ${symbol}$ by less than 1 %, so ordinary tolerances suffice; {ends.en}.",
         )
     if not small:
         return Words(
-            f"以 ${symbol}$ 的改变衡量，各尺寸的影响相差不到一倍，最大的是 {zh[0]}，最小的是 {zh[2]}，"
-            "各尺寸的公差应同样严格。",
+            f"以 ${symbol}$ 的改变衡量，各尺寸的影响相差不到一倍，{ends.zh}，各尺寸的公差应同样严格。",
             f"Measured by the change of ${symbol}$ all dimensions have effects of one size, within a factor of "
-            f"two: the greatest is that of {en[0]}, the least that of {en[2]}; all need tolerances of the same grade.",
+            f"two: {ends.en}; all need tolerances of the same grade.",
         )
     return Words(
         f"以 ${symbol}$ 的改变衡量，影响最大的是 {zh[0]}，须从严控制公差；影响最小的是 {zh[1]}，可以放宽。",
         f"Measured by the change of ${symbol}$ the greatest effect is that of {en[0]}, which need "
         f"close tolerances; the least that of {en[1]}.",
+    )
+
+
+def _ends(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Words:
+    """Those of the greatest and those of the least effect, as they are told; of one effect all are equal."""
+    sizes = [_rounded(study, keys[-1], one.gaps[-1]) for one in ranked]
+    first, last = ([one for one, size in zip(ranked, sizes, strict=True) if size == sizes[n]] for n in (0, -1))
+    most, least = (_listed(study, keys, some) for some in (first, last))
+    if sizes[0] == sizes[-1]:
+        return Words(f"影响相同：{most.zh}", f"the effects are equal: {most.en}")
+    return Words(
+        f"影响最大的是 {most.zh}，最小的是 {least.zh}",
+        f"the greatest effect is that of {most.en}, the least that of {least.en}",
     )
 
 
@@ -204,11 +217,20 @@ def _listed(study: Study, keys: tuple[str, ...], some: Iterable[Influence]) -> W
     told = [
         Words(
             f"{'、'.join(w.zh for w in names)}（{'均为 ' if len(names) > 1 else ''}{share}）",
-            f"{' and '.join(w.en for w in names)} ({share}{' each' if len(names) > 1 else ''})",
+            f"{' and '.join(the(w.en) for w in names)} ({share}{' each' if len(names) > 1 else ''})",
         )
         for share, names in alike.items()
     ]
     return Words("、".join(w.zh for w in told), ", ".join(w.en for w in told))
+
+
+def the(name: str) -> str:
+    """A dimension in a sentence: the angle of the guide; a symbol as it is."""
+    return name if name.startswith("$") else f"the {name}"
+
+
+def _upper(text: str) -> str:
+    return text[0].upper() + text[1:]
 
 
 def _rounded(study: Study, key: str, gap: float) -> str:

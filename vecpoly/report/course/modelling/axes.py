@@ -16,7 +16,7 @@ from ....drawing.figure import draw_figure
 from ....findings.study.study import Study
 from ....foundation.slotted import replace
 from ....mechanism.groups.assur import hinges
-from ....mechanism.model import FRAME, Prismatic
+from ....mechanism.model import FRAME, Link, Prismatic
 from ....names import subscripted
 from ....problem.problem import Shape
 from ....words import Words
@@ -91,9 +91,15 @@ def _gear(study: Study, link: str) -> bool:
     return study.problem.given.shapes.get(link) is Shape.GEAR
 
 
+def _lettered(link: Link) -> bool:
+    """Whether its first two letters lie on its axis, in this order: the second may be set out beside it."""
+    first, second = [*link.points.values(), 0j, 0j][:2]
+    return len(link.points) > 1 and abs(cmath.phase(second - first)) < _STILL
+
+
 def _guided(study: Study, link: str, letter: str) -> Words:
-    """The axis of a link with one letter:
-    parallel to the link whose angle it keeps, else the guide's positive direction."""
+    """The axis of a link that no two letters tell: parallel to the link whose angle it keeps, else its own slideway,
+    else the guide's positive direction."""
     joint = next(
         (j for j in study.mech.joints if isinstance(j, Prismatic) and link == j.block and j.guide != FRAME), None
     )
@@ -102,6 +108,8 @@ def _guided(study: Study, link: str, letter: str) -> Words:
             f"随构件 {study.name(joint.guide)} 的导路方向（过 ${letter}$）",
             f"the guide of link {study.name(joint.guide)}, through ${letter}$",
         )
+    if any(isinstance(j, Prismatic) and j.guide == link for j in study.mech.joints):
+        return Words(f"本构件的导路（过 ${letter}$）", f"its own slideway, through ${letter}$")
     return Words(f"导路正方向（过 ${letter}$）", f"the positive direction of the guide, through ${letter}$")
 
 
@@ -112,8 +120,8 @@ def _table(study: Study, press: Press) -> str:
         if not letters or _gear(study, link):
             continue
         ray = (
-            Words(f"${letters[0]}→{letters[1]}$", f"${letters[0]}→{letters[1]}$")
-            if len(letters) > 1
+            Words.same(f"${letters[0]}→{letters[1]}$")
+            if _lettered(study.mech.link(link))
             else _guided(study, link, letters[0])
         )
         if all(abs(z) < _STILL for z in (study.turned[link],)) and not np.any(

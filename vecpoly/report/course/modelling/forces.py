@@ -33,7 +33,11 @@ def forces_group(study: Study) -> GroupModel | None:
 def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
     slides = any(touch.unknowns[-1].startswith("T") for touch in found.touches)
     high = any(touch.before for touch in found.touches)
-    told = _CUT_FREE + (_OF_SLIDES if slides else Words("", "")) + (_OF_HIGHER_PAIRS if high else Words("", ""))
+    told = (
+        _CUT_FREE
+        + (_of_slides(rubs=bool(found.friction)) if slides else Words("", ""))
+        + (_of_higher_pairs(rubs=bool(found.friction)) if high else Words("", ""))
+    )
     fixed = [load for load in loads.forces if load.along is None]
     if tilted := [load for load in fixed if abs(sin(2 * load.direction)) > 1e-9]:
         angles = [f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted]
@@ -56,18 +60,33 @@ _CUT_FREE = Words(
     "Each link is isolated. $R_{ij}$ is the force of link $i$ on link $j$, $R_{ji}$ = −$R_{ij}$, with "
     "components $x$ and $y$; moments are positive counter-clockwise. ",
 )
-_OF_SLIDES = Words(
-    "移动副的反力简化为垂直于导路的 $N$（导路正向左侧为正）和对滑块铰链中心的力偶矩 $T$，"
-    "沿导路的速度 $v$ 和摩擦力 $F_f$ 以导路正向为正。",
-    "The reaction of a prismatic joint is a force $N$ normal to the guide (positive to the left of its "
-    "direction) and a couple $T$ about the block's pin; $v$ and friction $F_f$ along the guide are "
-    "positive in its direction. ",
-)
-_OF_HIGHER_PAIRS = Words(
-    "高副的反力为沿公法线的 $N$，指向圆盘中心为正，摩擦力 $F_f$ 和滑动速度 $v$ 以公法线逆时针转 90° 的方向为正。",
-    "The reaction of a higher pair is $N$ along the common normal, positive towards the disc's centre; "
-    "friction $F_f$ and sliding $v$ are positive along the normal turned by +90°. ",
-)
+
+
+def _of_slides(*, rubs: bool) -> Words:
+    """What a sliding pair transmits, and how it counts; of friction where there is any."""
+    own = Words(
+        "移动副的反力简化为垂直于导路的 $N$（导路正向左侧为正）和对滑块铰链中心的力偶矩 $T$",
+        "The reaction of a prismatic joint is a force $N$ normal to the guide (positive to the left of its "
+        "direction) and a couple $T$ about the block's pin",
+    )
+    friction = Words(
+        "，沿导路的速度 $v$ 和摩擦力 $F_f$ 以导路正向为正",
+        "; $v$ and friction $F_f$ along the guide are positive in its direction",
+    )
+    return own + (friction if rubs else Words("", "")) + Words("。", ". ")
+
+
+def _of_higher_pairs(*, rubs: bool) -> Words:
+    """What a higher pair transmits; of friction where there is any."""
+    own = Words(
+        "高副的反力为沿公法线的 $N$，指向圆盘中心为正",
+        "The reaction of a higher pair is $N$ along the common normal, positive towards the disc's centre",
+    )
+    friction = Words(
+        "，摩擦力 $F_f$ 和滑动速度 $v$ 以公法线逆时针转 90° 的方向为正",
+        "; friction $F_f$ and sliding $v$ are positive along the normal turned by +90°",
+    )
+    return own + (friction if rubs else Words("", "")) + Words("。", ". ")
 
 
 def _given(loads: Loads, found: ForceModel) -> list[str]:

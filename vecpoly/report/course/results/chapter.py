@@ -14,9 +14,9 @@ from ....findings.study.working_range import SOUND
 from ....findings.transmission import transmission
 from ....names import subscripted
 from ....words import Words
-from ..analysis import duties as force_duties
 from ..analysis import force_words
 from ..numbering import SMALL, TINY, Press
+from . import loaded
 from .circling import is_trivial
 from .circling import told as circling_told
 from .extreme_values import extremes
@@ -42,6 +42,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
         "step": _step(study),
         "count": len(study.turn.phi),
         "loaded": bool(study.forces),
+        "rubs": "eta" in study.forces,
         "range": _range(study, press) + force_words.one_sided(study).of(press.lang),
     }
 
@@ -52,7 +53,7 @@ def sections(study: Study, press: Press) -> list[dict[str, Any]]:
         _links(study, press),
         *(_point(study, press, letter) for letter in study.points),
         _angles(study, press),
-        _forces(study, press),
+        loaded.section(study, press),
     ]
     told = [one for one in found if any(one.get(part) for part in ("tables", "figures", "before", "alone"))]
     return [one | {"shown": press.shown(one["tables"], one["figures"])} for one in told]
@@ -172,41 +173,13 @@ def _components(study: Study, key: str) -> list[str]:
 
 def _angles(study: Study, press: Press) -> dict[str, Any]:
     """The transmission angles that change: what they are, and their curves."""
-    told = [t for t in study.facts.transmissions if t.greatest.value - t.least.value > 1e-9]
+    told = [t for t in study.facts.transmissions if not t.is_constant]
     plots = [curve(study, press.lang, [t.key for t in told[:LINES]])] if told else []
     return {
         "title": Words("传动角", "Transmission angles").of(press.lang),
         "words": transmission(study, told).of(press.lang),
         "before": [],
         "tables": [],
-        "figures": press.figures(plots),
-    }
-
-
-def _forces(study: Study, press: Press) -> dict[str, Any]:
-    """The balancing load, the efficiency and the reactions."""
-    parts = force_duties.table(study, press)
-    rest, tables = [*study.forces], []
-    while rest:
-        part: list[str] = []
-        while rest and sum(len(study.turn.info(key).parts) for key in (*part, rest[0])) <= COLUMNS + 1:
-            part.append(rest.pop(0))
-        tables.append(tabled(study, press, part, Words("平衡载荷与运动副反力", "The balancing load and the reactions")))
-    plots, told = [], (Words("", " ") + force_words.results(study)).of(press.lang)
-    for unit in dict.fromkeys(study.turn.info(key).shown_unit for key in study.forces):
-        keys = [key for key in study.forces if study.turn.info(key).shown_unit == unit]
-        plots += [curve(study, press.lang, keys[i : i + LINES]) for i in range(0, len(keys), LINES)]
-    return {
-        "title": Words("平衡载荷与反力", "The balancing load and the reactions").of(press.lang),
-        "words": Words(
-            "平衡载荷和各运动副反力按分量列表，按大小作曲线。",
-            "The balancing load and the reactions are listed by their components, and drawn by their magnitudes.",
-        ).of(press.lang)
-        + told
-        if tables
-        else told,
-        "before": [],
-        "tables": [*([parts] if parts else []), *tables],
         "figures": press.figures(plots),
     }
 

@@ -32,6 +32,7 @@ POSITIONS, LOADED = 4, 3  # with forces, or centres beside polygons, every posit
 _APART = np.radians(12.0)
 _NOTHING = 1e-6  # of the greatest value: there is no vector to draw
 _ALIKE = 0.03  # of the range of a sliding drive
+_QUARTER = Words("由题设位置转过 90°，供比较", "90° on from the given position, for comparison")
 _CHOSEN = {"zh": ["位置", "选取理由", "比例尺", "图号"], "en": ["Position", "Why it is chosen", "Scales", "Sheet"]}
 
 
@@ -56,9 +57,11 @@ def chosen(study: Study, lang: Lang) -> list[Drawn]:
             given, Words("题设位置", "the given position"), study.solution, _sheets(study, given, study.solution, lang)
         )
     ]
-    for phi, why in _candidates(study):
+    for phi, why in (*_candidates(study), *_quarter(study)):
         if len(found) == (POSITIONS if study.problem.loads is None and len(found[0].sheets) == 1 else LOADED):
             break
+        if why == _QUARTER and len(found) > 1:
+            break  # there are places of extreme values
         if all(_far(study, phi, other.phi) for other in found):
             drawn = _drawn(study, phi, why, lang, True)
             if drawn is None or (
@@ -121,6 +124,8 @@ def _candidates(study: Study) -> Iterator[tuple[float, Words]]:
         for spot in sorted(spots, key=lambda s: -abs(s.value)):
             yield spot.phi, Words.same(f"${magnitude}$ ") + _extreme(most=spot is found.highest, value=spot.value)
     for t in study.facts.transmissions:
+        if t.is_constant:
+            continue
         yield (
             t.least.phi,
             Words(
@@ -128,6 +133,12 @@ def _candidates(study: Study) -> Iterator[tuple[float, Words]]:
                 f"the transmission angle ${study.whole.info(t.key).symbol}$ is least",
             ),
         )
+
+
+def _quarter(study: Study) -> Iterator[tuple[float, Words]]:
+    """A position for comparison, where nothing has an extreme value that could be drawn."""
+    if study.whole.whole:
+        yield study.reduced(study.mech.drive.position + np.pi / 2), _QUARTER
 
 
 def _extreme(*, most: bool, value: float) -> Words:

@@ -16,7 +16,6 @@ from ....words import Words
 from ...flow.style import Style
 from ..numbering import SMALL, TINY, Press
 
-_ONE_TURN = Words("（每转一周重复，只列一周）", " (the same in every turn; one is listed)")
 _HALVED, _LONG = 6, 12  # a table of few columns and many rows is told in two halves beside each other
 _NARROW, _MOST_ABREAST = 3, 3  # columns of one that is told in three parts, where it is long
 _MOST = 6  # decimals
@@ -31,8 +30,16 @@ def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style:
     made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
     made = _without_repeat(made) if study.whole.whole else made
     if (period := _repeats_after(made)) < len(made.values):
-        made, title = replace(made, values=made.values[:period]), title + _ONE_TURN
+        title += _repeated(abs(made.values[period, 0] - made.values[0, 0]))
+        made = replace(made, values=made.values[:period])
     return laid_out(made, press, title, style, _HALVED if study.dense else _HALVED - 1)
+
+
+def _repeated(turn: float) -> Words:
+    """After how many degrees of the drive all comes again, of which one period is listed."""
+    if turn % 360.0 < 1e-6:
+        return Words("（每转一周重复，只列一周）", " (the same in every turn; one is listed)")
+    return Words(f"（每转 {turn:g}° 重复，只列一个周期）", f" (the same after every {turn:g}°; one period is listed)")
 
 
 def _without_repeat(made: Table) -> Table:
@@ -42,7 +49,8 @@ def _without_repeat(made: Table) -> Table:
 
 
 def _repeats_after(made: Table) -> int:
-    """The rows after which all of them come again: of a machine whose period is two turns, those of one turn."""
+    """The rows after which all of them come again: of a machine whose period is two turns, those of one turn,
+    of what runs round twice in a turn those of half a turn."""
     rows = made.values[:, 1:]
     count, turns = len(rows), abs(made.values[-1, 0] - made.values[0, 0]) / 360.0
     for n in range(2, round(turns) + 2):

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from ....findings.study.study import Study
 from ....foundation.roman import NUMERALS
 from ....mechanism.groups.assur import Group, decompose, hinges
-from ....mechanism.model import Prismatic, Rolling
+from ....mechanism.model import Prismatic, Rack, Rolling
 from ....mechanism.rams import driver_words
 from ....words import Words
 from ...statement.structure import welded
@@ -28,7 +28,7 @@ def special(study: Study) -> Iterator[Words]:
         zh = "、".join(f"${p}$（{count} 个转动副）" for p, count in compound.items())
         en = ", ".join(f"${p}$ ({count} revolutes)" for p, count in compound.items())
         yield Words(f"复合铰链：{zh}。", f"Multiple joints: {en}. ")
-    slots = [j.pin for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot]
+    slots = [j.pin for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot and j.block not in thought]
     if slots:
         zh, en = "、".join(f"${p}$" for p in slots), ", ".join(f"${p}$" for p in slots)
         yield Words(
@@ -42,13 +42,7 @@ def special(study: Study) -> Iterator[Words]:
             "Pure rolling removes two degrees of freedom and counts as a lower pair; where links hold the two centres "
             "at their distance it counts as a higher pair. ",
         )
-    if mech.contacts:
-        zh, en = "、".join(f"${c.point}$" for c in mech.contacts), ", ".join(f"${c.point}$" for c in mech.contacts)
-        yield Words(
-            f"{zh} 为高副；作运动分析时高副低代：以铰接于接触处两曲率中心（或沿平底移动）的构件代替。",
-            f"{en} is a higher pair; for the kinematics it is replaced by a link pinned at both "
-            "centres of curvature (or sliding on the flat face). ",
-        )
+    yield from (_replaced(flat, some) for flat in (False, True) if (some := _contacts(study, flat=flat)))
     if mech.welded:
         yield welded(mech)
     absent = [
@@ -57,6 +51,27 @@ def special(study: Study) -> Iterator[Words]:
         Words("虚约束", "redundant constraint"),
     ]
     yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is {_none_of([w.en for w in absent])}.")
+
+
+def _contacts(study: Study, *, flat: bool) -> list[str]:
+    """The points of contact on a flat face, or those of two curved profiles."""
+    return [f"${one.point}$" for one in study.mech.contacts if isinstance(one.on, Rack) is flat]
+
+
+def _replaced(flat: bool, points: list[str]) -> Words:
+    """What stands for a higher pair where the motion is found."""
+    zh, en = "、".join(points), " and ".join(points)
+    pair = "is a higher pair" if len(points) == 1 else "are higher pairs"
+    if flat:
+        return Words(
+            f"{zh} 为高副；作运动分析时高副低代：以铰接于接触处廓线的曲率中心、沿平底移动的滑块代替。",
+            f"{en} {pair}; for the kinematics a block stands for it, pinned at the centre of curvature of the profile "
+            "and sliding along the flat face. ",
+        )
+    return Words(
+        f"{zh} 为高副；作运动分析时高副低代：以铰接于接触处两廓线曲率中心的构件代替。",
+        f"{en} {pair}; for the kinematics a link stands for it, pinned at the centres of curvature of both profiles. ",
+    )
 
 
 def _none_of(names: Sequence[str]) -> str:
