@@ -6,6 +6,7 @@ from functools import cache
 
 import pytest
 
+from vecpoly.board.paper.tones import whose
 from vecpoly.drawing.legend.legend import entries
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
@@ -44,3 +45,7 @@ def test_the_circle_of_a_wheel_that_meshes_is_no_base_circle(name: str) -> None:
 def test_a_pitch_curve_is_named_where_a_roller_makes_it_another_than_the_profile(name: str, pitch: bool) -> None:
     assert any("pitch curve" in words for words in told(name)) is pitch
     assert any(words.startswith("part of the") for words in told(name))
+
+
+def test_vibrations_are_vectors_of_their_own_and_a_force_without_friction_is_its_force() -> None:
+    assert len({whose(key) for key in ("V_0", "V_1", "V_t")}) == 3 and whose("F_0") == whose("F")

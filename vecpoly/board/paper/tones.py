@@ -41,6 +41,8 @@ _PART = pattern(r"([_,](0|[nt]))+$")
 def whose(key: str) -> str:
     """What a key is a part of: ``motion B-C`` of v_CB and at_CB, ``joint 1-2`` of R_21 and R_12_0, ``mass 1`` of W_1,
     W_1I and C_1, else the key."""
+    if key.startswith("V_"):  # a vibration: V_0, V_1 and V_t are three vectors, no parts of one
+        return key
     bare = _PART.sub("", key).strip("()")
     if _MOTION.match(bare):
         points = _MOTION.sub("", bare)
