@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from ...names import Named
-from ...plane import Reals
 
 S0, PSI0 = Named("s0", "s_0", "mm"), Named("psi0", "ψ_0", "deg")
 ALPHA = Named("alpha_max", "α_{max}", "deg")
@@ -39,8 +36,8 @@ def polar(phi: float) -> Named:
     return Named(f"theta_{phi:g}", f"θ_{{{phi:g}}}", "deg")
 
 
-def in_turn(theta: Reals, phi: float, sense: int) -> Reals:
-    """θ as it is told of a station that the cam reaches after φ (deg): of the turn about the place where the inversion
-    has the follower, so that a point just before the first one is a little under nothing, not under 360°."""
-    least = ((-sense * phi) % 360.0 - 180.0) / 6.0
-    return np.mod(theta - least, 360.0) + least
+def least_polar(phi: float, sense: int) -> float:
+    """Where the turn begins in which θ is told, of a station that the cam reaches after φ (deg): about the place where
+    the inversion has the follower, so that a point just before the first one is a little under nothing, not under 360°.
+    """
+    return ((-sense * phi) % 360.0 - 180.0) / 6.0

@@ -60,7 +60,7 @@ def model(study: Study) -> Iterator[Row]:
     if beta:
         end = subscripted(beta[3:-1])
         yield f"${beta}$", Words(f"由构件的轴线量至 ${end}$ 的角", f"angle from the link's axis to ${end}$"), "°"
-    yield from ((f"${c}$", words, unit) for c, words, unit in _others(study, constants))
+    yield from ((f"${c}$", words, unit) for c, words, unit in _others(constants))
     if gamma := next(iter(study.facts.transmissions), None):
         symbol = study.whole.info(gamma.key).symbol
         yield f"${symbol}$", Words("杆组的传动角（锐角）", "transmission angle (acute)"), "°"

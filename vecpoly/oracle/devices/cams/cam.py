@@ -6,7 +6,7 @@ from math import degrees
 
 import numpy as np
 
-from ....devices.cams.asked import in_turn
+from ....devices.cams.asked import least_polar
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
 from ..registry import Values, answers
@@ -90,7 +90,8 @@ def _stations(device: Cam) -> dict[str, float]:
         found[f"r_{name}"] = 1e3 * float(np.abs(profile(device, piece, at))[0])
         if phi:
             turned = float(np.degrees(np.angle(profile(device, piece, at) / first))[0])
-            found[f"theta_{name}"] = float(in_turn(turned, degrees(phi), device.sense))
+            least = least_polar(degrees(phi), device.sense)
+            found[f"theta_{name}"] = (turned - least) % 360.0 + least
         if not device.follower.flat:
             found[f"alpha_{name}"] = degrees(float(pitch(device, piece, at).pressure[0]))
     return found

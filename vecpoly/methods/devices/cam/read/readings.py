@@ -7,7 +7,7 @@ import numpy as np
 from .....algebra.quantity import Quantity, magnitude
 from .....algebra.worked import stated
 from .....board.construction import Place, Reading
-from .....devices.cams.asked import in_turn
+from .....devices.cams.asked import least_polar
 from .....devices.cams.cam import Cam
 from .....names import Named
 from .....plane import Points, Reals, nominal
@@ -51,4 +51,5 @@ def acute(bench: Bench, one: Points, other: Points) -> Reals:
 
 def turned(bench: Bench, cam: Cam, phi: float, first: Points, point: Points) -> Reals:
     """From the ray to the profile's first point round to that of a station, counter-clockwise (deg)."""
-    return in_turn(np.degrees(bench.board.gauge(0j, point / first)), phi, cam.sense)
+    least = least_polar(phi, cam.sense)
+    return np.mod(np.degrees(bench.board.gauge(0j, point / first)) - least, 360.0) + least
