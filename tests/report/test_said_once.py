@@ -8,6 +8,7 @@ from io import BytesIO
 
 import pytest
 from pypdf import PdfReader
+from vecpoly.report.answers.checks import check_tables, check_words, checked, unlisted
 
 from tests.drawn_library import DRAFTED, IDS, drafted, drawn
 from tests.each import each
@@ -17,7 +18,6 @@ from vecpoly.algebra.quantity import Product, magnitude
 from vecpoly.algebra.worked import told_again, worked
 from vecpoly.printed.digits import exact_number
 from vecpoly.problem.load import load
-from vecpoly.report.answers.checks import check_tables, check_words, checked, unlisted
 from vecpoly.report.answers.placed import clean
 from vecpoly.report.answers.tables import readings_tables, sign_of_deviation, tabled
 from vecpoly.report.document import report_bytes

@@ -6,13 +6,13 @@ from __future__ import annotations
 import re
 
 import pytest
+from vecpoly.report.answers.checks import check_tables, checked
 
 from tests.drawn_library import DRAFTED, drafted
 from tests.each import each
 from vecpoly.algebra.formula import Row, plain
 from vecpoly.algebra.rounding import read_back
 from vecpoly.problem.load import load, loads
-from vecpoly.report.answers.checks import check_tables, checked
 from vecpoly.report.answers.notes import stands_still
 from vecpoly.report.answers.verdict import verdict_of
 from vecpoly.report.content import Objects

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from vecpoly.report.answers.checks import check_tables, check_words
 
 from tests.drawn_library import drawn
 from vecpoly.algebra.formula import plain
@@ -10,7 +11,6 @@ from vecpoly.board.paper.marks import AngleMark, Point
 from vecpoly.problem.load import load
 from vecpoly.report.answers.alike import lines_of_twins, twins
 from vecpoly.report.answers.box import answer_box
-from vecpoly.report.answers.checks import check_tables, check_words
 from vecpoly.report.heads import unit_column, united
 from vecpoly.report.on_paper import on_paper
 from vecpoly.report.picture import picture

@@ -3,7 +3,7 @@ which is set with drawn figures, tables and formulas."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,15 +21,15 @@ from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
-from .answers.box import answer_box
-from .answers.checks import check_tables, check_words, unlisted
+from .answers.box import NOTHING_YET, Explained, answer_box
 from .answers.moved import moved_told
-from .answers.verdict import verdict_of
 from .content import Objects, beside_tables, by_rank, cautions, conclusions
 from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
+from .flow.results.box import AnswerBox
 from .flow.results.halved import even
+from .flow.results.tabled import TabledAnswers
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .identity import identity
@@ -152,7 +152,7 @@ def markup(
     context = {
         "title": (title or subject(solutions)).of(lang),
         "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
-        "problems": [_problem(s, lang, style, objects) for s in solutions],
+        "problems": [*_problems(solutions, lang, style, objects)],
     }
     try:
         folders = (*((Path(templates),) if templates else ()), data_dir("templates"))
@@ -182,7 +182,17 @@ def _sketch(figure: Figure, solution: Solution, lang: Lang) -> Drawing:
     return drawn
 
 
-def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> dict[str, Any]:
+def _problems(solutions: Sequence[Solution], lang: Lang, style: str, objects: Objects) -> Iterator[dict[str, Any]]:
+    """Each of them; what the columns of an answer mean is explained with the first that has them."""
+    explained = NOTHING_YET
+    for one in solutions:
+        told = _problem(one, lang, style, objects, explained)
+        answer = objects.named.get(told.get("answer", ""))
+        explained = explained.after(answer) if isinstance(answer, AnswerBox) else explained
+        yield told
+
+
+def _problem(solution: Solution, lang: Lang, style: str, objects: Objects, explained: Explained) -> dict[str, Any]:
     """All that a template may say of one problem."""
     if style == "course":
         from .course.document import course
@@ -200,14 +210,14 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         blank, places = frames(solution.construction, solution.problem)
         made = hung(blank, places, of=solution.problem.paper.format, lang=lang, title=solution.problem.title)
         return common | question(solution, blank, lang, objects) | {"frames": bound(made, blank, lang, objects)}
-    return common | _solved(solution, lang, objects)
+    return common | _solved(solution, lang, objects, explained)
 
 
-def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
+def _solved(solution: Solution, lang: Lang, objects: Objects, explained: Explained) -> dict[str, Any]:
     """What a template may say of a problem's solution."""
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
-    answer = answer_box(solution, lang, conclusions(solution, lang))
+    answer = answer_box(solution, lang, conclusions(solution, lang), explained=explained)
     printed, (verified, moved) = printed_table(checked.answers, lang), as_moved(solution, lang)
     names, homes = ([], []) if blocks or _repeats(solution.construction) else pages(solution, lang, objects)
     return {
@@ -222,12 +232,8 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
             lambda _, header, rows, align: objects.add("tab", even(DataTable(header, rows, None, align, lang=lang))),
         ),
         "sections": with_plates(sections(solution, lang, objects), names, homes, objects),
-        "results": [objects.add("tab", even(made)) for made in check_tables(solution, lang)],
-        "alone": check_words(solution, lang),
-        "verdict": verdict_of(solution, lang),
-        "unlisted": unlisted(solution),
         "counts": by_rank(solution, lang),
-        "directed": answer.directed,
+        "compared": isinstance(answer, TabledAnswers),
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", even(printed)) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),
