@@ -86,14 +86,16 @@ def places_table(parts: Sequence[Part], solution: Solution, lang: Lang) -> Frame
 
 
 def in_unit_of_most(head: str, cells: Sequence[str]) -> tuple[str, list[str]]:
-    """The head and the cells of a column of deviations: the unit that most have stands in the head, per cents where
-    there is none; any other beside its number."""
+    """The head and the cells of a column of deviations: the unit that half of them have stands in the head, per
+    cents where there is none; any other beside its number."""
     spaced = [cell.replace("°", " °") for cell in cells]
     full = [cell if " " in cell or cell == NOTHING else f"{cell} %" for cell in spaced]
     units = Counter(cell.partition(" ")[2] for cell in full if cell != NOTHING)
     if not units:
         return head, list(cells)
-    ((most, _),) = units.most_common(1)
+    ((most, count),) = units.most_common(1)
+    if 2 * count < sum(units.values()):
+        return head, [cell.replace(" °", "°") for cell in full]
     told = [cell.partition(" ")[0] if cell.partition(" ")[2] == most else cell.replace(" °", "°") for cell in full]
     return f"{head} /{braced(most)}", told
 
