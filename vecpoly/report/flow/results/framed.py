@@ -14,7 +14,7 @@ from ..table import DataTable
 from .decimal import Columns
 from .halved import GAP, HalvedTable
 
-_CLOSE = 0.9  # pt above and below a row
+_CLOSE, _OPENER = 0.9, 3.0  # pt above and below a row; times as much as other white where a text is set more openly
 _LINE = 0.3  # pt: under the heads
 
 
@@ -38,7 +38,7 @@ class FramedTable(HalvedTable):
     def tighten(self, degree: Tightness) -> None:
         """Its rows closer still."""
         super().tighten(degree)
-        self._vertical = min(1.6, degree.white) * _CLOSE
+        self._vertical = _CLOSE * (1.0 + _OPENER * max(0.0, degree.white - 1.0)) * min(1.0, degree.white)
         self._found = {width: self._measured(found) for width, found in self._found.items()}
 
     def _columns(self, width: float, rows: Sequence[Sequence[Sequence[Cell]]], points: Columns) -> tuple[float, ...]:
