@@ -27,9 +27,7 @@ from .content import Objects, beside_tables, by_rank, cautions, conclusions
 from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
 from .flow.paging.tight import saved
-from .flow.results.box import AnswerBox
 from .flow.results.halved import even
-from .flow.results.tabled import TabledAnswers
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .identity import identity
@@ -187,8 +185,7 @@ def _problems(solutions: Sequence[Solution], lang: Lang, style: str, objects: Ob
     explained = NOTHING_YET
     for one in solutions:
         told = _problem(one, lang, style, objects, explained)
-        answer = objects.named.get(told.get("answer", ""))
-        explained = explained.after(answer) if isinstance(answer, AnswerBox) else explained
+        explained = explained.after(objects.named.get(told.get("answer", "")))
         yield told
 
 
@@ -233,7 +230,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects, explained: Explain
         ),
         "sections": with_plates(sections(solution, lang, objects), names, homes, objects),
         "counts": by_rank(solution, lang),
-        "compared": isinstance(answer, TabledAnswers),
+        "compared": answer.compared,
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", even(printed)) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),

@@ -38,11 +38,11 @@ class Explained:
     compared: bool = False
     directed: bool = False
 
-    def after(self, answer: AnswerBox) -> Explained:
-        """And that one too."""
-        return Explained(
-            compared=self.compared or isinstance(answer, TabledAnswers), directed=self.directed or answer.directed
-        )
+    def after(self, answer: object) -> Explained:
+        """And that one too, if it is an answer."""
+        if not isinstance(answer, AnswerBox):
+            return self
+        return Explained(compared=self.compared or answer.compared, directed=self.directed or answer.directed)
 
 
 NOTHING_YET = Explained()

@@ -33,6 +33,7 @@ class AnswerBox(Block):
     role = Role.DIV
     pieces = True
     airy = 0.8
+    compared = False  # whether exact values stand beside others
 
     def __init__(
         self, lines: Sequence[AnswerLine], said: Sequence[str] = (), lang: Lang = "zh", notes: Sequence[str] = ()

@@ -27,6 +27,8 @@ class TabledAnswers(AnswerBox):
     """head: the scales, and what the columns mean, beside the title; tables: of values and of places; lines: what is
     no number that was read."""
 
+    compared = True
+
     def __init__(
         self,
         tables: Sequence[FramedTable],
