@@ -1,5 +1,4 @@
-"""By how much the cycle of a linkage that was found misses the exact values, with the lengths read; which of several
-solutions transmits force best."""
+"""Which of several solutions of a synthesis transmits force best, as it moves with the lengths read."""
 
 from __future__ import annotations
 
@@ -10,14 +9,11 @@ from ...cycle.facts.transmission_range import ABOUT
 from ...solution import Solution
 from ...words import Lang, Words, joined
 
-_PLACES = 2  # decimals
 _ALIKE = 1.0  # degrees: of two least transmission angles that are nearer neither is preferred
-_SWING, _STROKE = Words("摆角", "the swing"), Words("行程", "the stroke")
-_K, _GAMMA = Words.same("$K$"), Words.same("$γ_{min}$")
 
 
 def moved_told(solution: Solution, lang: Lang) -> str:
-    """The same as a sentence; nothing where there is no choice."""
+    """What is to be preferred, in a sentence; nothing where there is no choice."""
     best = preferred(solution)
     return "" if best is None else best.of(lang)
 

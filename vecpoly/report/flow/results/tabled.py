@@ -20,6 +20,7 @@ from .framed import FramedTable
 from .grid import GridRow, Told, even, sentence
 
 _APART, _END = 2.4, 1.3  # mm between a table and what stands above or below it; below the last table of a frame
+_LEAST = 0.7  # of that, where the text is set more tightly
 _RULE = 0.45  # pt
 
 
@@ -41,6 +42,7 @@ class TabledAnswers(AnswerBox):
         super().__init__(lines, said, lang, notes)
         self.tables, self.head = tuple(tables), head
         self._entitled: tuple[GridRow, ...] = ()  # the title and the lines beside it
+        self._apart = _APART
         self.put_within(self.tag)
 
     def put_within(self, outer: Tag) -> None:
@@ -54,6 +56,7 @@ class TabledAnswers(AnswerBox):
         """Its tables too."""
         super().tighten(degree)
         self.tables = tuple(table.copied(degree) for table in self.tables)
+        self._apart = max(_LEAST, degree.white) * _APART
 
     @property
     def directed(self) -> bool:
@@ -82,17 +85,17 @@ class TabledAnswers(AnswerBox):
     @property
     def _top(self) -> float:
         """How far the first table is below the upper edge (mm)."""
-        return PAD + (self._high(self._entitled) + _APART if self._entitled else -_END)
+        return PAD + (self._high(self._entitled) + self._apart if self._entitled else -_END)
 
     @property
     def _foot(self) -> float:
         """What stands below the tables (mm)."""
-        return _APART + self._high(self._rows) + PAD if self._rows else _END
+        return self._apart + self._high(self._rows) + PAD if self._rows else _END
 
     def _tall(self, width: float) -> list[float]:
         """How high each table is with the white above it (mm)."""
         inner = width - 2 * PAD * MM
-        return [table.wrap(inner, 0.0)[1] / MM + _APART * (n > 0) for n, table in enumerate(self.tables)]
+        return [table.wrap(inner, 0.0)[1] / MM + self._apart * (n > 0) for n, table in enumerate(self.tables)]
 
     def split(self, width: float, height: float) -> list[Block]:
         """Whole rows to each page, of an answer too tall to be kept together; what stands below its tables keeps some
@@ -103,7 +106,7 @@ class TabledAnswers(AnswerBox):
         tall, count = self._tall(width), 0
         while count < len(tall) - 1 and sum(tall[: count + 1]) <= room:
             count += 1
-        left = room - sum(tall[:count]) - _APART * (count > 0)
+        left = room - sum(tall[:count]) - self._apart * (count > 0)
         parts = self.tables[count].split(width - 2 * PAD * MM, min(left, tall[count] - 2.0) * MM) if left > 0 else []
         halves = [part for part in parts if isinstance(part, FramedTable)]
         if len(halves) == 2:
@@ -119,7 +122,7 @@ class TabledAnswers(AnswerBox):
     def _cut(self, tables: Sequence[FramedTable], *, first: bool) -> Self:
         """A part of it with these tables."""
         part = type(self)((), (), (), self.lang)
-        part.tables, part._skip, part._set = tuple(tables), self._skip, True
+        part.tables, part._skip, part._apart, part._set = tuple(tables), self._skip, self._apart, True
         part._entitled, part._rows = (self._entitled, ()) if first else ((), self._rows)
         if not first:
             part._title = replace(layout_words("", self._em, True), items=())
@@ -132,15 +135,15 @@ class TabledAnswers(AnswerBox):
         if self._entitled:
             self._written(ink, self._entitled, PAD, PAD)
             ink.flush()
-            self._ruled(top - 0.3 * _APART)
+            self._ruled(top - 0.3 * self._apart)
         for n, (table, tall) in enumerate(zip(self.tables, self._tall(self.width), strict=True)):
             if n:
-                self._ruled(top + 0.4 * _APART)
+                self._ruled(top + 0.4 * self._apart)
             top += tall
             table.drawOn(self.canv, PAD * MM, self.height - top * MM)
         if self._rows:
-            self._ruled(top + 0.4 * _APART)
-            self._written(rest := Ink(self.canv), self._rows, PAD, top + _APART)
+            self._ruled(top + 0.4 * self._apart)
+            self._written(rest := Ink(self.canv), self._rows, PAD, top + self._apart)
             rest.flush()
 
     def _ruled(self, down: float) -> None:
