@@ -3,7 +3,7 @@ which is set with drawn figures, tables and formulas."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
-from .answers.box import NOTHING_YET, Explained, answer_box
+from .answers.box import answer_box, explained_by
 from .answers.moved import moved_told
 from .content import Objects, beside_tables, by_rank, cautions, conclusions
 from .flow.blocks import Callout, Drawing
@@ -150,7 +150,7 @@ def markup(
     context = {
         "title": (title or subject(solutions)).of(lang),
         "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
-        "problems": [*_problems(solutions, lang, style, objects)],
+        "problems": [_problem(s, lang, style, objects) for s in solutions],
     }
     try:
         folders = (*((Path(templates),) if templates else ()), data_dir("templates"))
@@ -180,16 +180,7 @@ def _sketch(figure: Figure, solution: Solution, lang: Lang) -> Drawing:
     return drawn
 
 
-def _problems(solutions: Sequence[Solution], lang: Lang, style: str, objects: Objects) -> Iterator[dict[str, Any]]:
-    """Each of them; what the columns of an answer mean is explained with the first that has them."""
-    explained = NOTHING_YET
-    for one in solutions:
-        told = _problem(one, lang, style, objects, explained)
-        explained = explained.after(objects.named.get(told.get("answer", "")))
-        yield told
-
-
-def _problem(solution: Solution, lang: Lang, style: str, objects: Objects, explained: Explained) -> dict[str, Any]:
+def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> dict[str, Any]:
     """All that a template may say of one problem."""
     if style == "course":
         from .course.document import course
@@ -207,14 +198,14 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects, expla
         blank, places = frames(solution.construction, solution.problem)
         made = hung(blank, places, of=solution.problem.paper.format, lang=lang, title=solution.problem.title)
         return common | question(solution, blank, lang, objects) | {"frames": bound(made, blank, lang, objects)}
-    return common | _solved(solution, lang, objects, explained)
+    return common | _solved(solution, lang, objects)
 
 
-def _solved(solution: Solution, lang: Lang, objects: Objects, explained: Explained) -> dict[str, Any]:
+def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """What a template may say of a problem's solution."""
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
-    answer = answer_box(solution, lang, conclusions(solution, lang), explained=explained)
+    answer = answer_box(solution, lang, conclusions(solution, lang), explained=explained_by(objects.named.values()))
     printed, (verified, moved) = printed_table(checked.answers, lang), as_moved(solution, lang)
     names, homes = ([], []) if blocks or _repeats(solution.construction) else pages(solution, lang, objects)
     return {

@@ -38,14 +38,14 @@ class Explained:
     compared: bool = False
     directed: bool = False
 
-    def after(self, answer: object) -> Explained:
-        """And that one too, if it is an answer."""
-        if not isinstance(answer, AnswerBox):
-            return self
-        return Explained(compared=self.compared or answer.compared, directed=self.directed or answer.directed)
-
 
 NOTHING_YET = Explained()
+
+
+def explained_by(things: Iterable[object]) -> Explained:
+    """What the answers among these explain."""
+    answers = [one for one in things if isinstance(one, AnswerBox)]
+    return Explained(compared=any(one.compared for one in answers), directed=any(one.directed for one in answers))
 
 
 def answer_box(

@@ -8,7 +8,7 @@ from ...found import taken
 from ...printed.digits import drawn_number
 from ...project.part import Part
 from ...words import Words
-from ..answers.box import answer_box
+from ..answers.box import answer_box, explained_by
 from ..content import cautions, conclusions, statement
 from ..steps.sections import sections
 from .binder import Binder
@@ -24,10 +24,12 @@ def chapter(part: Part, binder: Binder) -> dict[str, Any]:
 def told(part: Part, binder: Binder) -> dict[str, Any]:
     """What a linkage that is found and a device have in common: given, asked, steps, the answer."""
     press, lang, solution = binder.press, binder.lang, part.solution
+    explained = explained_by(press.objects.named.values())
+    answer = answer_box(solution, lang, conclusions(solution, lang), explained=explained)
     return {
         **statement(solution, lang),
         "sections": sections(solution, lang, press.objects),
-        "answer": press.objects.add("ans", answer_box(solution, lang, conclusions(solution, lang))),
+        "answer": press.objects.add("ans", answer),
         "cautions": cautions(solution, lang),
     }
 
