@@ -6,7 +6,6 @@ import pytest
 
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.problem.load import load
-from vecpoly.report.answers.moved import moved_verdict
 from vecpoly.report.verdicts import concluded, verdicts
 from vecpoly.solution import solve
 from vecpoly.words import Lang
@@ -32,12 +31,6 @@ def test_how_many_answers_agree_and_the_largest_deviation_are_told_with_numbers(
     assert concluded(told["3-14"], "zh") == "原书 2 个答案中 1 个与精确值相符；错误：$v_{C}$。"
     assert concluded(told["C-inertia"], "en") == "None of the 11 textbook answers agrees."
     assert not concluded(told["C-conveyor"], "en"), "one error of the whole is told in its box"
-
-
-def test_a_linkage_that_was_found_says_how_far_its_cycle_is_off() -> None:
-    told = moved_verdict(solve(load("8-4")), "en")
-    assert told.startswith("Largest deviations from the exact values: $K$ 0.1") and "the swing 0.14°" in told
-    assert not moved_verdict(solve(load("3-9"), repeats=20), "en")
 
 
 def test_answers_that_agree_and_a_note_on_the_book_keep_a_box_each() -> None:

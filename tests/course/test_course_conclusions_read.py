@@ -119,7 +119,7 @@ def test_a_moment_that_is_found_by_three_ways_is_told_once_with_the_difference()
 def test_the_appendix_tells_all_that_is_given_in_its_table_and_under_it(name: str) -> None:
     text, objects = course_text(name, "en")
     behind = text[text.index("Appendix A") :]
-    (under,) = re.findall(r"Beside them are given: ([^<]*)", behind)
+    (under,) = re.findall(r"Also given: ([^<]*)", behind)
     rows = {
         row[n]
         for table in objects.named.values()

@@ -112,7 +112,7 @@ def test_each_reaction_is_told_with_its_line_of_action(pages) -> None:  # type: 
 def test_moments_have_a_sense_and_efficiencies_a_percentage(pages) -> None:  # type: ignore[no-untyped-def]
     text = pages("4-3a", "zh")
     answer = solved("4-3a").answers["eta"]
-    assert f"{answer.drawn:.3f} ({100 * answer.drawn:.1f} %)" in text and "N·m（顺时针）" in text
+    assert f"{answer.drawn:.3f} ({100 * answer.drawn:.1f} %)" in text and "N·m 顺时针" in text
 
 
 def test_values_by_formula_alone_have_no_deviation(pages) -> None:  # type: ignore[no-untyped-def]

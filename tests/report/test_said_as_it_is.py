@@ -8,9 +8,9 @@ import pytest
 
 from tests.drawn_library import drafted, given, said
 from tests.flat_positions import FLAT
+from tests.framed_answers import rows_in
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.report.answers.box import answer_box
-from vecpoly.report.answers.notes import UNREADABLE, notes_of
 from vecpoly.report.content import by_rank, statement
 from vecpoly.report.picture import NOT_TO_SCALE
 from vecpoly.report.question.blanks import empty_table
@@ -62,8 +62,9 @@ def test_the_type_of_a_four_bar_is_told_of_it_alone(lang: Lang) -> None:
 
 def test_a_reading_that_its_error_swallows_is_not_called_small() -> None:
     """13.4° is no small angle: it is read with an error of more than half of it, and the other one is not."""
-    notes = [note for note in notes_of(list(solved("8-4").answers.values()), "zh") if UNREADABLE.zh in note]
-    assert len(notes) == 1 and "(1)" in notes[0] and "(2)" not in notes[0] and "过小" not in notes[0]
+    box = answer_box(solved("8-4"), "zh")
+    marked = {row.keys: row.off for row in rows_in(box) if row.error.endswith("*")}
+    assert marked == {("gamma_min_1",): "—"} and "过小" not in "".join(box.notes)
 
 
 def test_a_question_on_structure_prints_no_kinematic_diagram() -> None:

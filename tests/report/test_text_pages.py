@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from tests.drawn_library import drawn
+from tests.framed_answers import rows_in
 from vecpoly.algebra.formula import plain
 from vecpoly.board.paper.marks import AngleMark, Point
 from vecpoly.problem.load import load
 from vecpoly.report.answers.alike import lines_of_twins, twins
 from vecpoly.report.answers.box import answer_box
-from vecpoly.report.answers.checks import check_tables, check_words
 from vecpoly.report.heads import unit_column, united
 from vecpoly.report.on_paper import on_paper
 from vecpoly.report.picture import picture
@@ -23,10 +23,10 @@ def test_points_of_a_link_that_only_translates_have_one_line_one_answer_and_one_
     assert {key: first.key for key, first in twins(solution.answers.values()).items()} == {"v_C": "v_B3", "a_C": "a_B3"}
     lines = [plain(node) for node in lines_of_twins(solution, "en").values()]
     assert lines == ["v_C = v_B3 = 11.95 m/s", "a_C = a_B3 = 4464 m/s^2"]
-    (line,) = (one for one in answer_box(solution, "en").lines if one.key == "v_B3")
-    assert line.also == ("v_C",) and plain(line.node).startswith("v_B3 = v_C = 11.95 m/s")
-    (table,) = check_tables(solution, "en")
-    assert ["$v_{B3}$ = $v_{C}$" in row for row in table.rows].count(True) == 1
+    (row,) = (one for one in rows_in(answer_box(solution, "en")) if "v_B3" in one.keys)
+    assert (
+        row.keys == ("v_B3", "v_C") and row.name == "$v_{B3}$ = $v_{C}$" and (row.value, row.unit) == ("11.95", "m/s")
+    )
 
 
 def test_what_an_image_gives_is_evaluated_in_the_step_of_the_image() -> None:
@@ -48,11 +48,16 @@ def test_a_step_tells_how_long_a_given_length_is_on_paper(name: str, told: str) 
     assert any(told in on_paper(step.words.en, solution) for step in solution.construction.steps)
 
 
-def test_centres_at_infinity_and_a_lone_value_are_told_in_sentences() -> None:
-    solution = solve(load("3-1e"), repeats=20)
-    assert all("∞" not in cell for table in check_tables(solution, "en") for row in table.rows for cell in row[1:])
-    assert "at 133.0° (exactly 133.0°, expected error" in check_words(solution, "en")
-    assert "was read as 83.8 mm; exactly it is 83.91 mm" in check_words(solve(load("curv-10"), repeats=20), "en")
+def test_a_centre_at_infinity_is_told_by_its_direction_drawn_and_exactly() -> None:
+    rows = {row.keys[0]: row for row in rows_in(answer_box(solve(load("3-1e"), repeats=20), "en"))}
+    (endless,) = (row for row in rows.values() if "133.0" in row.value)
+    assert endless.value == "∞, ∠133.0°" and endless.exact == "∞, ∠133.0°" and endless.off == "0.0°"
+    assert endless.error.endswith("°")
+
+
+def test_a_lone_value_has_its_row() -> None:
+    (row,) = (one for one in rows_in(answer_box(solve(load("curv-10"), repeats=20), "en")) if one.value == "83.8")
+    assert row.exact == "83.91" and row.in_unit("value") == ("83.8", "mm")
 
 
 def test_a_unit_of_a_whole_column_stands_in_its_head_and_those_of_rows_in_a_column() -> None:

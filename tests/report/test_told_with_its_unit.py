@@ -14,10 +14,11 @@ from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import FixedGuide, Point
 from vecpoly.diagram.chains import INWARD
 from vecpoly.printed.digits import drawn_number, in_percent
+from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.line import result_of, short_line
 from vecpoly.report.answers.tables import _values
 from vecpoly.report.course.checks import chapter, comparison
-from vecpoly.report.document import markup
+from vecpoly.report.flow.results.tabled import TabledAnswers
 from vecpoly.solution import Solution
 
 
@@ -54,8 +55,9 @@ def test_a_column_of_degrees_alone_has_its_unit_in_its_head() -> None:
 
 def test_directions_are_explained_where_the_answer_has_an_angle_of_one() -> None:
     for name, shown in (("8-2g", False), ("3-9", True)):
-        document, _ = markup([of(name)], "en", "solution", {}, None, None)
-        assert ("Direction angles (∠) in the answer are counter-clockwise" in document) is shown
+        box = answer_box(of(name), "en")
+        told = " ".join((*box.notes, box.head if isinstance(box, TabledAnswers) else ""))
+        assert ("direction angles (∠) are counter-clockwise" in told) is shown
 
 
 @pytest.mark.parametrize("name", ["5-3", "tipper", "whitworth-quick-return", "class-iii-slides"])

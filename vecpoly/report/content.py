@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ..algebra.quantity import number
-from ..check.designs.found_words import all_ill_conditioned, told
+from ..check.designs.found_words import all_lost, told
 from ..check.shaking import shaking_of
 from ..check.structure import dependence
 from ..devices.structure import Structure
@@ -142,7 +142,7 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
         for words in (
             *solution.warnings,
             few,
-            *all_ill_conditioned(solution.verification),
+            *all_lost(solution.verification),
             _disagreed(wrong) if wrong else None,
             why,
         )

@@ -21,10 +21,8 @@ from ..foundation.stock import one_format
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
-from .answers.box import answer_box
-from .answers.checks import check_tables, check_words, unlisted
+from .answers.box import answer_box, explained_by
 from .answers.moved import moved_told
-from .answers.verdict import verdict_of
 from .content import Objects, beside_tables, by_rank, cautions, conclusions
 from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, Stamp
@@ -207,7 +205,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """What a template may say of a problem's solution."""
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
-    answer = answer_box(solution, lang, conclusions(solution, lang))
+    answer = answer_box(solution, lang, conclusions(solution, lang), explained=explained_by(objects.named.values()))
     printed, (verified, moved) = printed_table(checked.answers, lang), as_moved(solution, lang)
     names, homes = ([], []) if blocks or _repeats(solution.construction) else pages(solution, lang, objects)
     return {
@@ -222,12 +220,8 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
             lambda _, header, rows, align: objects.add("tab", even(DataTable(header, rows, None, align, lang=lang))),
         ),
         "sections": with_plates(sections(solution, lang, objects), names, homes, objects),
-        "results": [objects.add("tab", even(made)) for made in check_tables(solution, lang)],
-        "alone": check_words(solution, lang),
-        "verdict": verdict_of(solution, lang),
-        "unlisted": unlisted(solution),
         "counts": by_rank(solution, lang),
-        "directed": answer.directed,
+        "compared": answer.compared,
         "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", even(printed)) if printed is not None else "",
         "verdicts": verdicts(solution, checked, lang),

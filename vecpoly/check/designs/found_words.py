@@ -79,6 +79,20 @@ def all_ill_conditioned(every: Sequence[Verified]) -> list[Words]:
     return [words for words in (_all_loose(some), _all_lost(some)) if words is not None]
 
 
+def all_lost(every: Sequence[Verified]) -> list[Words]:
+    """That some hands miss solutions; which lengths hardly follow from the drawing is marked where these are told."""
+    some = [one for one in every if one.lost]
+    if some and len(every) == 1:
+        share = f"{100 * some[0].lost:.0f} %"
+        return [
+            Words(
+                f"所给数据的微小误差即令解不存在：重复作图中有 {share} 得不到该解。",
+                f"A small error in what is given loses the solution: {share} of the repeated drawings lack it.",
+            )
+        ]
+    return [words for words in (_all_lost(some),) if words is not None]
+
+
 def _symbol(key: str) -> str:
     """Of a length between two pins, or of an offset."""
     return f"l_{{{key}}}" if key.isupper() and len(key) > 1 else key

@@ -127,6 +127,11 @@ def _named(answer: Answer, lang: Lang) -> tuple[str, Node, str]:
     return before.strip(), row(symbol), way.strip("（） ()")
 
 
+def direction_told(answer: Answer, solution: Solution, lang: Lang) -> str:
+    """Where a vector points, in which sense it turns, along which line a force counts; of what stands still, why."""
+    return remark_of(answer, lang) if stands_still(answer) else _direction(answer, solution.problem, lang)
+
+
 def _bracket(answer: Answer, problem: Problem, way: str, lang: Lang) -> str:
     """Direction or sense, in brackets."""
     still = remark_of(answer, lang) if stands_still(answer) else ""

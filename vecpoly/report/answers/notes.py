@@ -17,13 +17,14 @@ PLAIN_NO = frozenset({"undercut"})  # and those of which a no does
 UNREADABLE = Words(
     "误差达读数的一半以上，按本图的比例尺读不准", "not to be read at this scale, with an error of half of it or more"
 )
-INSTEAD = Words("应放大比例尺或用计算求得", "draw it larger, or compute it")
+INSTEAD = Words("取精确值", "take the exact value")
+_READ_BY = Words("图上量取所用比例尺：", "Read off with ")
 COARSE = Words("读数误差可达", "reading error up to")
 
 
 def notes_of(answers: Sequence[Answer], lang: Lang) -> tuple[str, ...]:
-    """The notes of these answers, a line each."""
-    return (*_remarks(answers, lang), *_hardly(answers, lang))
+    """The notes of these answers, a line each; what is read coarsely, or not at all, is marked in their table."""
+    return (*_remarks(answers, lang), *_short(answers, lang))
 
 
 def remark_of(answer: Answer, lang: Lang) -> str:
@@ -62,14 +63,12 @@ def _symbol(answer: Answer) -> str:
     return "" if is_worded(answer.key, answer.reading.unit) else f"${answer.reading.symbol}$"
 
 
-def _hardly(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:
-    """What is too short on paper, or not to be read at all; the verdict of the check names what is read coarsely."""
+def _short(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:
+    """What is too short on paper."""
     short = [f"${one.reading.symbol}$ {on_paper(one)} mm" for one in answers if one.short]
-    lost = [_computed(one, lang) for one in answers if is_hopeless(one)]
-    heads = (Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang), UNREADABLE.of(lang))
-    for head, symbols in zip(heads, (short, lost), strict=True):
-        if symbols:
-            yield f"{head[0].upper()}{head[1:]}{_COLON[lang]}{_listed(symbols, lang)}"
+    if short:
+        head = Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang)
+        yield f"{head[0].upper()}{head[1:]}{_COLON[lang]}{_listed(short, lang)}"
 
 
 def _computed(answer: Answer, lang: Lang) -> str:

@@ -1,139 +1,70 @@
-"""What the check comes to, in one sentence: whether every deviation is as small as it may be, and what could hardly be
-found by drawing."""
+"""What must be said of the values of an answer beside what its table shows: which could hardly be found by drawing, and
+which are off by more than was expected."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import isfinite
 
 from ...algebra.rounding import read_back
-from ...printed.digits import coarse, is_hopeless
+from ...names import Named
+from ...printed.digits import coarse
 from ...solution import Answer, Solution
 from ...words import Lang, Words, joined
-from .alike import named_once
-from .checks import checked
-from .errors import NOTHING, beside, sign_of
-from .placed import gaps, reaches
-from .tables import deviation_told, tabled
+from .errors import NOTHING
 
 ILL, ILL_ANGLE = 2.0, 3.0  # mm on paper, degrees: what may be off by more is hardly found by drawing
-PAIR = 2  # names that are told with their errors; of more these are seen in the table
-_UNITS = {"": " %", "°": "°", "mm": " mm"}
+STAR = "*"  # behind the expected error of that
+_STARRED = Words(
+    f"{STAR} 由作图不易准确求得，以精确值为准", f"{STAR} ill-conditioned in the drawing: take the exact value"
+)
 
 
-@dataclass(frozen=True, slots=True)
-class _Off:
-    """One quantity of the check: its name, by how much it is off and may be off, as printed, and in which unit."""
-
-    name: str
-    off: str
-    error: str
-    sign: str  # "": per cents; "°"; "mm"
-    ill: bool
-
-    @property
-    def size(self) -> float:
-        """The deviation without its sign."""
-        return abs(read_back(self.off)[0])
-
-    @property
-    def within(self) -> bool:
-        """Whether it is no larger than expected, but for its own rounding."""
-        size, half = read_back(self.off)
-        return abs(size) - half <= read_back(self.error)[0]
-
-    def amount(self, text: str) -> str:
-        """A number with the unit."""
-        return f"{text.lstrip('+−')}{_UNITS[self.sign]}"
-
-
-def verdict_of(solution: Solution, lang: Lang) -> str:
-    """The sentence under the tables of the check; nothing where a single value was read, whose line says all."""
-    found = [*_values(solution, lang), *_places(solution)]
-    if not found or (len(checked(solution)) == 1 and len(found) == 1 and found[0].within and not found[0].ill):
-        return ""
-    told = [_whole(found), _ill([one for one in found if one.ill])]
-    return ("" if lang == "zh" else " ").join(words.of(lang) for words in told if words is not None)
-
-
-def _values(solution: Solution, lang: Lang) -> list[_Off]:
-    """What is no place, and is off by per cents or degrees."""
-    once = named_once(tabled(checked(solution))[1], solution, lang)
-    answers = [one for one, _ in once]
-    offs = [deviation_told(one) for one in answers]
-    rows = zip(once, offs, beside(answers, offs), strict=True)
-    return [
-        _Off(name, off.removesuffix("°"), error.removesuffix("°"), sign_of(off), _is_ill(one))
-        for (one, name), off, error in rows
-        if NOTHING not in (off, error) and not is_hopeless(one)
-    ]
-
-
-def _is_ill(answer: Answer) -> bool:
+def is_ill(answer: Answer, solution: Solution) -> bool:
+    """Whether it is hardly found by drawing: a place, an angle or a share that may be off by much, or a length of a
+    linkage that is to be made."""
+    if answer.computed or not isfinite(answer.expected_error):
+        return False
+    if answer.is_place and answer.drawn_vector is not None:
+        mu = next((one.scale.value for one in solution.construction.figures if one.scale.unit == "m"), 0.0)
+        return bool(mu) and answer.expected_error > ILL * mu
     if answer.reading.unit == "deg":
         return answer.expected_error > ILL_ANGLE
     share = coarse(answer)
-    return share is not None and isfinite(share)
+    return share is not None or _is_loose(answer, solution)
 
 
-def _places(solution: Solution) -> list[_Off]:
-    """The places, off by millimetres."""
-    answers = tabled(checked(solution))[0]
-    mu = next((figure.scale.value for figure in solution.construction.figures if figure.scale.unit == "m"), 0.0)
-    ends = zip(answers, gaps(answers), reaches(answers), strict=True)
-    return [
-        _Off(f"${one.reading.symbol}$", off, error, "mm", bool(mu) and one.expected_error > ILL * mu)
-        for one, off, error in ends
-        if NOTHING not in (off, error)
-    ]
+def _is_loose(answer: Answer, solution: Solution) -> bool:
+    """Whether it is a length of a linkage that was found, of which the drawing tells too little."""
+    number = answer.rel.solution if isinstance(answer.rel, Named) else 0
+    stem = answer.key.removesuffix(f"_{number}")
+    return any(stem in one.loose for one in solution.verification if number in (0, one.number))
 
 
-def _whole(found: Sequence[_Off]) -> Words:
-    """All are as small as they may be, or which are not."""
-    if not any(one.size for one in found):
-        return Words("各量与精确值一致。", "All values equal the exact ones to the last digit.")
-    if len(found) == 1:
-        return _alone(found[0])
-    over = [one for one in found if not one.within]
-    if not over:
-        return Words("各偏差均不超过预期误差。", "Every deviation is within its expected error.")
-    told = joined([_told(one) for one in over])
-    return Words(
-        f"除{told.zh} 外，各偏差均不超过预期误差。", f"Every deviation but {told.en} is within its expected error."
+def starred(error: str, answer: Answer, solution: Solution) -> str:
+    """The expected error as it is printed, with a star where a note tells what that is for."""
+    return f"{error}{STAR}" if error != NOTHING and is_ill(answer, solution) else error
+
+
+def exceeds(off: str, error: str) -> bool:
+    """Whether a deviation, as printed, is larger than expected, but for its own rounding."""
+    if NOTHING in (off, error):
+        return False
+    size, half = _size(off)
+    return abs(size) - half > _size(error)[0]
+
+
+def _size(text: str) -> tuple[float, float]:
+    """The number of a cell, without its unit and the star, and half of its last digit."""
+    return read_back(text.partition(" ")[0].rstrip(f"°{STAR}"))
+
+
+def remarks_on(over: Sequence[str], stars: bool, lang: Lang) -> tuple[str, ...]:
+    """The notes: what the star is for; the names of what is off by more than expected."""
+    named = joined([Words.same(name) for name in over])
+    many = len(over) > 1
+    told = Words(
+        f"{named.zh} 的偏差超过预期误差",
+        f"The deviation{'s' if many else ''} of {named.en} exceed{'' if many else 's'} what is expected",
     )
-
-
-def _told(one: _Off) -> Words:
-    off, error = one.amount(one.off), one.amount(one.error)
-    return _with(one.name, Words(f"{off}，预期误差 {error}", f"{off}, expected {error}"))
-
-
-def _with(name: str, said: Words) -> Words:
-    """The name with this in brackets; in those that it has, where it has some: M_d0 (no friction, 0.30 %)."""
-    zh = f"{name[:-1]}，{said.zh}）" if name.endswith("）") else f" {name}（{said.zh}）"
-    en = f"{name[:-1]}, {said.en})" if name.endswith(")") else f"{name} ({said.en})"
-    return Words(zh, en)
-
-
-def _alone(one: _Off) -> Words:
-    off, error = one.amount(one.off), one.amount(one.error)
-    zh, en = ("不超过", "is within") if one.within else ("超过", "exceeds")
-    return Words(
-        f"{one.name} 的偏差 {off} {zh}预期误差 {error}。",
-        f"The deviation of {one.name}, {off}, {en} its expected error, {error}.",
-    )
-
-
-def _ill(found: Sequence[_Off]) -> Words | None:
-    """What is ill-conditioned, and should be computed."""
-    if not found:
-        return None
-    named = joined([_with(one.name, Words.same(f"±{one.amount(one.error)}")) for one in found])
-    if len(found) > PAIR:
-        named = joined([Words.same(one.name) for one in found])
-    verb, s = ("is", "") if len(found) == 1 else ("are", "s")
-    return Words(
-        f"{named.zh.lstrip()} 由作图不易准确求得，应以计算值为准。",
-        f"{named.en} {verb} ill-conditioned in the drawing: take the computed value{s}.",
-    )
+    return (*((_STARRED.of(lang),) if stars else ()), *((told.of(lang),) if over else ()))

@@ -8,10 +8,8 @@ from ...found import taken
 from ...printed.digits import drawn_number
 from ...project.part import Part
 from ...words import Words
-from ..answers.box import answer_box
-from ..answers.tables import readings_tables
+from ..answers.box import answer_box, explained_by
 from ..content import cautions, conclusions, statement
-from ..course.numbering import SMALL
 from ..steps.sections import sections
 from .binder import Binder
 
@@ -19,19 +17,19 @@ _TAKEN = {"zh": ["尺寸", "量得 /mm", "取用 /mm"], "en": ["Length", "Read, 
 
 
 def chapter(part: Part, binder: Binder) -> dict[str, Any]:
-    """Given, asked, steps, results with their check."""
+    """Given, asked, steps, the answer with its check."""
     return {**told(part, binder), "sheets": binder.numbers(part), "taken": _taken(part, binder)}
 
 
 def told(part: Part, binder: Binder) -> dict[str, Any]:
-    """What a linkage that is found and a device have in common: given, asked, steps, results."""
+    """What a linkage that is found and a device have in common: given, asked, steps, the answer."""
     press, lang, solution = binder.press, binder.lang, part.solution
-    title = Words("量取结果与精确值", "Readings and exact values")
+    explained = explained_by(press.objects.named.values())
+    answer = answer_box(solution, lang, conclusions(solution, lang), explained=explained)
     return {
         **statement(solution, lang),
         "sections": sections(solution, lang, press.objects),
-        "answer": press.objects.add("ans", answer_box(solution, lang, conclusions(solution, lang))),
-        "results": press.tabled(title, readings_tables(solution, lang), SMALL),
+        "answer": press.objects.add("ans", answer),
         "cautions": cautions(solution, lang),
     }
 

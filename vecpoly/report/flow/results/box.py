@@ -20,8 +20,8 @@ from ..style import CELL
 from .grid import GridRow, Told, columns, even, gridded, in_reading_order, laid, sentence
 
 TITLE = Words("答", "Answer")
-_PAD, _SKIP = 2.6, 1.4  # mm: inside the frame, between rows
-_AFTER_TITLE = 3.0  # mm
+PAD, _SKIP = 2.6, 1.4  # mm: inside the frame, between rows
+AFTER_TITLE = 3.0  # mm
 WHOLE = 75.0 * MM  # a box no taller than this is not parted
 _LEAST = 3  # rows that a page break leaves together
 _FRAME = 0.6  # pt
@@ -33,6 +33,7 @@ class AnswerBox(Block):
     role = Role.DIV
     pieces = True
     airy = 0.8
+    compared = False  # whether exact values stand beside others
 
     def __init__(
         self, lines: Sequence[AnswerLine], said: Sequence[str] = (), lang: Lang = "zh", notes: Sequence[str] = ()
@@ -62,13 +63,13 @@ class AnswerBox(Block):
         self.width = width
         if not self._set:
             self._above, self._rows = self._best(width)
-        self.height = (self._high(self._rows) + 2 * _PAD) * MM
+        self.height = (self._high(self._rows) + 2 * PAD) * MM
         return width, self.height
 
     def _best(self, width: float) -> tuple[bool, tuple[GridRow, ...]]:
         """Whether the title stands above, and the rows, in a column of this width (pt)."""
         if width not in self._set_in:
-            self._set_in[width] = tuple(self._laid(width / MM - 2 * _PAD, above) for above in (False, True))
+            self._set_in[width] = tuple(self._laid(width / MM - 2 * PAD, above) for above in (False, True))
         beside_it, under = self._set_in[width]
         above = self._high(under) < self._high(beside_it)
         return above, under if above else beside_it
@@ -78,7 +79,7 @@ class AnswerBox(Block):
 
     def _laid(self, width: float, above: bool) -> tuple[GridRow, ...]:
         """The rows in a frame of this width (mm) inside."""
-        room = width if above else width - self._title.width - _AFTER_TITLE
+        room = width if above else width - self._title.width - AFTER_TITLE
         title: tuple[GridRow, ...] = (((0.0, self._title, self._named),),) if above else ()
         rows = (*title, *self._grouped(room), *self._sentences(room))
         return tuple(even(rows, self.lines, self._em))
@@ -104,7 +105,7 @@ class AnswerBox(Block):
         """Whole answers to each page, of a box too tall to be kept together."""
         if self.wrap(width, height)[1] <= WHOLE:
             return []
-        used, count = 2 * _PAD, 0
+        used, count = 2 * PAD, 0
         room = (height - self.getSpaceBefore()) / MM  # the frame may leave that out here and ask for it of the part
         while count < len(self._rows) and used + _height(self._rows[count]) <= room:
             used += _height(self._rows[count]) + self._skip
@@ -141,26 +142,33 @@ class AnswerBox(Block):
 
     def draw(self) -> None:
         """Draw the frame, the title in its margin, and the rows."""
+        self._frame_drawn()
+        ink = Ink(self.canv)
+        margin = 0.0 if self._above else self._title.width + AFTER_TITLE
+        if not self._above:
+            self._tell(ink, self._named)
+            ink.box(self._title, PAD * MM, self._levels(self._rows, PAD)[0] * MM)
+        self._written(ink, self._rows, PAD + margin, PAD)
+        ink.flush()
+
+    def _frame_drawn(self) -> None:
         with artifact(self.canv):
             self.canv.setLineWidth(_FRAME)
             self.canv.rect(0.0, 0.0, self.width, self.height)
-        ink, last = Ink(self.canv), None
-        margin = 0.0 if self._above else self._title.width + _AFTER_TITLE
-        levels = self._levels()
-        if not self._above:
-            self._tell(ink, self._named)
-            ink.box(self._title, _PAD * MM, levels[0] * MM)
-        for n, x, box, told in in_reading_order(self._rows):
+
+    def _written(self, ink: Ink, rows: Sequence[GridRow], left: float, top: float) -> None:
+        """Draw rows that begin so far (mm) from the left and from the top."""
+        last, levels = None, self._levels(rows, top)
+        for n, x, box, told in in_reading_order(rows):
             if told is not last:
                 self._tell(ink, told)
                 last = told
-            ink.box(box, (_PAD + margin + x) * MM, levels[n] * MM)
-        ink.flush()
+            ink.box(box, (left + x) * MM, levels[n] * MM)
 
-    def _levels(self) -> tuple[float, ...]:
+    def _levels(self, rows: Sequence[GridRow], top: float) -> tuple[float, ...]:
         """Where the base line of each row is, in mm."""
-        tops = accumulate((_height(row) + self._skip for row in self._rows), initial=_PAD)
-        above = (max(box.ascent for _, box, _ in row) for row in self._rows)
+        tops = accumulate((_height(row) + self._skip for row in rows), initial=top)
+        above = (max(box.ascent for _, box, _ in row) for row in rows)
         return tuple(self.height / MM - top - up for top, up in zip(tops, above, strict=False))
 
     def _tell(self, ink: Ink, told: Told) -> None:

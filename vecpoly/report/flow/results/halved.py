@@ -15,7 +15,7 @@ from ..cells import Cell, cells, joined
 from ..table import PAD, DataTable
 
 LONG = 8  # rows that stay in one block
-_GAP = 8.0  # mm between the halves
+GAP = 8.0  # mm between the halves
 _SET = tuple[DataTable, DataTable]
 
 
@@ -60,11 +60,11 @@ class HalvedTable(DataTable):
             super().draw()
             return
         wide = sum(self._halves[0].widths or ()) * MM
-        left = (self.width - 2 * wide - _GAP * MM) / 2
+        left = (self.width - 2 * wide - GAP * MM) / 2
         for n, half in enumerate(self._halves):
             half.wrap(wide, self.height)
             half.tag = Tag(half.role, self.tag.within)
-            half.drawOn(self.canv, left + n * (wide + _GAP * MM), self.height - half.height)
+            half.drawOn(self.canv, left + n * (wide + GAP * MM), self.height - half.height)
 
     def _parted(self, width: float) -> _SET | None:
         """The halves as they are set now, where both have room."""
@@ -84,10 +84,14 @@ class HalvedTable(DataTable):
         return self._half(slice(middle), widths), self._half(slice(middle, None), widths)
 
     def _half(self, rows: slice, widths: tuple[float, ...]) -> DataTable:
-        return DataTable(
+        return self._made(
             self.header, self.rows[rows], widths, self.align,
             lang=self.lang, style=self.style, groups=self.groups[rows],
         )  # fmt: skip
+
+    def _made(self, *table: Any, **said: Any) -> DataTable:
+        """What its halves are."""
+        return DataTable(*table, **said)
 
     def _as_tight(self, half: DataTable, width: float) -> DataTable:
         """A copy of a half, set as the table is; its lines are broken once for all of them."""
@@ -118,7 +122,7 @@ def even(table: DataTable) -> DataTable:
 
 def _fit(widths: tuple[float, ...], width: float) -> bool:
     """Whether columns so wide (mm) have room twice in that (pt)."""
-    return 2 * sum(widths) + _GAP <= width / MM
+    return 2 * sum(widths) + GAP <= width / MM
 
 
 def _words(head: Sequence[Cell]) -> list[list[Cell]]:
