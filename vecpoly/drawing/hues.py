@@ -17,6 +17,7 @@ from ..figures.hue import TONES, Hue
 from .style import Dash, kind_hue
 
 Tones = Mapping[str, int] | None
+MOVING = "Vv"  # the initial of vibrations and velocities, which friction does not concern
 CENTRODES: Mapping[Role, Hue] = {Role.LOCUS: TONES[0], Role.CARRIED: TONES[1]}
 
 
@@ -78,4 +79,4 @@ def tint_of(view: View, tones: Tones) -> Hue:
 
 def dash_of(key: str) -> Dash:
     """The pattern of a vector: without friction, beside that with it, it is dashed."""
-    return Dash.DASHED if key.endswith(("_0", ",0")) else Dash.FULL
+    return Dash.DASHED if key.endswith(("_0", ",0")) and key[0] not in MOVING else Dash.FULL
