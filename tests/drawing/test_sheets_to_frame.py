@@ -197,6 +197,6 @@ def test_scales_grow_as_far_as_the_sheet_holds_and_no_farther(sizes: Sequence[tu
     pages = [Composing(figures, set(kinds), room_inside(across)) for across in (False, True)]
     start: Scales = dict[Place, float](dict.fromkeys(kinds, 1.0))
     before = min(page.needed(start) for page in pages)
-    made = refilled(pages, start, set(kinds))
+    made = refilled([(page, page) for page in pages], start, set(kinds))
     assert min(page.needed(made) for page in pages) == before
     assert all(made[kind] <= 1.0 for kind in kinds)

@@ -17,6 +17,7 @@ from ..figures.hue import TONES, Hue
 from .style import Dash, kind_hue
 
 Tones = Mapping[str, int] | None
+MOVING = "Vv"  # the initial of vibrations and velocities, which friction does not concern
 CENTRODES: Mapping[Role, Hue] = {Role.LOCUS: TONES[0], Role.CARRIED: TONES[1]}
 
 
@@ -77,5 +78,5 @@ def tint_of(view: View, tones: Tones) -> Hue:
 
 
 def dash_of(key: str) -> Dash:
-    """The pattern of a vector: a force without friction, beside that with it, is dashed; V_0, a vibration, is none."""
-    return Dash.DASHED if key.endswith(("_0", ",0")) and not key.startswith("V_") else Dash.FULL
+    """The pattern of a vector: without friction, beside that with it, it is dashed."""
+    return Dash.DASHED if key.endswith(("_0", ",0")) and key[0] not in MOVING else Dash.FULL

@@ -32,6 +32,7 @@ _POINTS = pattern(rf"({LETTER}\d*)({LETTER}\d*)")
 _JOINT = pattern(r"R[nt]?('*)_([A-Z]?\d)([A-Z]?\d)(?:(_r)|\b)")
 _MASS = pattern(r"[WC]_(\d+|b)(I*)")  # of a mass of a rotor: whole, its part in a plane, the couple that it makes
 _COUPLE = pattern(r"F_M(I?\d+)")  # a couple as a force on a lever
+_VIBRATION = "V_"  # at the start, V_0, and what a trial weight adds, V_t: of no other a part
 _PRIME = "'"  # of the other sense of motion, in symbols; in keys it is _r
 _DIGITS = pattern(r"\d+")
 _PART = pattern(r"([_,](0|[nt]))+$")
@@ -41,7 +42,7 @@ _PART = pattern(r"([_,](0|[nt]))+$")
 def whose(key: str) -> str:
     """What a key is a part of: ``motion B-C`` of v_CB and at_CB, ``joint 1-2`` of R_21 and R_12_0, ``mass 1`` of W_1,
     W_1I and C_1, else the key."""
-    if key.startswith("V_"):  # a vibration: V_0, V_1 and V_t are three vectors, no parts of one
+    if key.startswith(_VIBRATION):
         return key
     bare = _PART.sub("", key).strip("()")
     if _MOTION.match(bare):

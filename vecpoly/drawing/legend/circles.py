@@ -116,7 +116,7 @@ ROUNDS = tuple(
         ("摆轴中心所在的圆", "circle of the pivots", _through("A")),
         ("基圆", "base circle", _of("link")),
         ("基圆", "base circle", _on_cam),
-        ("加重所在的圆", "correction circle", _on_rotor),
+        ("加重圆", "circle of the correction weights", _on_rotor),
         ("以 $V_0$ 为半径的圆", "circle of radius $V_0$", _seen("vibration", "vibration-speed")),
         ("以 $F_1$、$F_2$ 为半径的圆", "circles of radius $F_1$, $F_2$", _seen("hodograph")),
         ("销的轨迹圆", "circle of a pin", _any),

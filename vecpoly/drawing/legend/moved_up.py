@@ -6,7 +6,7 @@ from ...foundation.slotted import replace
 from ..sheets.boxes.redbox import BAND
 from ..sheets.packing import pack
 from ..sheets.pages import pairs_of
-from ..sheets.paging import even, lined
+from ..sheets.settling.settled import settled
 from ..sheets.sheet import Sheet, placed
 
 
@@ -18,6 +18,6 @@ def over_band(sheet: Sheet, height: float, white: float) -> Sheet | None:
     layout = pack([one.size for one in group], rest, tuple(pairs_of(group)))
     if layout is None or layout.white < white:
         return None
-    settled = even(group, lined(group, layout))
-    risen = replace(settled, page=sheet.room, corners=tuple(at + 1j * height for at in settled.corners))
+    low = settled(group, layout)
+    risen = replace(low, page=sheet.room, corners=tuple(at + 1j * height for at in low.corners))
     return placed(group, risen, sheet.strip, sheet.lang, sheet.warning)

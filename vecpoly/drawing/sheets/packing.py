@@ -3,7 +3,7 @@ the arrangement with the most even white wins."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from ...foundation.slotted import dataclass
@@ -84,6 +84,17 @@ def _best(slicing: Slicing, start: int, end: int, sizes: Sequence[Size], page: S
     made = [(_layout(piece, (start, end), sizes, slicing.sizes, page, together), piece) for piece in pieces]
     found = max(made, key=lambda one: (min(one[0].white, AMPLE), -depth(one[1]), one[0].white), default=None)
     return (None, True) if found is None else (found[0], is_read(found[1]))
+
+
+def layouts(sizes: Sequence[Size], page: Size, pairs: frozenset[Pair]) -> Iterator[Layout]:
+    """All figures on one page, in every arrangement that none betters, and in those that are read row by row; pairs
+    are parted only where they fit in no other way."""
+    for slicing in slicings(sizes, page, pairs):
+        shapes = dict.fromkeys((*slicing.shapes(0, len(sizes)), *slicing.read.shapes(0, len(sizes))))
+        for _, _, piece in shapes:
+            yield _layout(piece, (0, len(sizes)), sizes, slicing.sizes, page, len(slicing.tied))
+        if shapes:
+            return
 
 
 def flat(

@@ -22,9 +22,10 @@ from .expected import Expected, dear, further, trials
 from .lifting import lifted
 from .packing import Layout
 from .pages import Page, fullness
-from .paging import Drawn, arranged, best_paged, even, lined, paged, reading_order, under_box
+from .paging import Drawn, arranged, best_paged, lined, paged, reading_order, under_box
 from .plating import on_plates
 from .scales.enlarging import enlarged
+from .settling.settled import settled
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
 
 NO_TITLE = Words.same("")
@@ -32,8 +33,7 @@ NO_TITLE = Words.same("")
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A figure on a sheet:
-    its view and name, and where on the page its origin and its extents lie, mm from the lower left; as it is drawn."""
+    """A figure on a sheet as it is drawn: where its origin and its extents lie, mm from the lower left of the page."""
 
     view: View
     origin: complex
@@ -140,7 +140,7 @@ def sheets(
         pages = [*on_plates(pages, bands)]
     if plates and not bands and construction.warning is None:
         pages = [*enlarged(pages, lang, construction)]
-    laid = [(group, even(group, lined(group, layout))) for group, layout in pages]
+    laid = ((group, settled(group, layout)) for group, layout in pages)
     return _numbered([(lifted(*page), page[1]) for page in laid], construction, lang, title)
 
 
@@ -183,11 +183,11 @@ def hung(
     construction: Construction, pages: Sequence[Hung], *, of: Format = A4, lang: Lang = "zh", title: Words = NO_TITLE
 ) -> tuple[Sheet, ...]:
     """The figures of a construction on sheets of this format, in order, each hung up where it is said."""
-    waiting, made = list(drawn(construction.figures, lang)), list[Page[Drawn]]()
+    waiting, made = drawn(construction.figures, lang), list[Page[Drawn]]()
     for page in pages:
         group, waiting = waiting[: len(page.tops)], waiting[len(page.tops) :]
         corners = tuple(top - complex(one.size[0] / 2, one.size[1]) for top, one in zip(page.tops, group, strict=True))
-        made.append((tuple(group), Layout(room_inside(page.landscape, of), corners, 0.0)))
+        made.append((group, Layout(room_inside(page.landscape, of), corners, 0.0)))
     return _numbered(made, construction, lang, title)
 
 
@@ -223,8 +223,8 @@ def _shows(one: Drawn, other: Drawn) -> bool:
 
 
 def _too_large(one: Drawn, of: Format) -> VecpolyError:
-    size, room = one.scene.extents, usable(of=of)
-    name, broad = f"{one.view.name} {one.name}".rstrip(), usable(True, of)
+    size, room, broad = one.scene.extents, usable(of=of), usable(True, of)
+    name = f"{one.view.name} {one.name}".rstrip()
     return VecpolyError(
         Words(
             f"图 {name} 连同文字为 {size.width:.0f} × {size.height:.0f} mm，而 {of.name} 图纸可用 {room[0]:.0f} × "

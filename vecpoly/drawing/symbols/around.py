@@ -31,6 +31,7 @@ from .shared import shared
 
 CENTRED = 6.0  # mm: a circle with a larger radius has its centre marked
 RING = "detail"  # whose the ring about a detail is: it shows a place, and has no centre to be marked
+UNCENTRED = (RING, "mechanism centre polygon")  # nor has the circle on which links are points in order
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

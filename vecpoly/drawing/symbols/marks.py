@@ -44,7 +44,7 @@ from ..scene import Fill, Item, Layer, Stroke
 from ..style import DOT_RADIUS, FOUND, POINT_RADIUS, POLE_RADIUS, THIN, Dash, Hue, pen
 from . import bodies, shapes, solids
 from .angles import draw_angle, draw_square, draw_turn
-from .around import RING, Surroundings
+from .around import UNCENTRED, Surroundings
 from .shapes import NEAR
 
 WALL, PALE = 0.22, 0.85  # mm: of an open head; as wide as so much of its width a hollow shaft looks
@@ -136,7 +136,7 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             line = Stroke(
                 points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step
             )
-            bare = full and mark.owner != RING and around.bare(centre, radius)
+            bare = full and mark.owner not in UNCENTRED and around.bare(centre, radius)
             return (line, *bodies.cross(centre, mark.step)) if bare else (line,)
         case Curve(points=points, role=role):
             p = pen(role, curve_hue(role, around.tones))

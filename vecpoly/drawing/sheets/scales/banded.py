@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ....board.construction import View
 from ....board.paper.scales import Sketched
+from ....foundation.slotted import replace
 from ....foundation.stock import Paper
 from ..space import LEGEND, rooms
 from .composing import composed
@@ -15,7 +16,10 @@ from .easing import CLOSE, eased
 from .refilling import refilled
 
 COARSER, FILLED = 1.6, 0.8  # times: no figure is made smaller than this for the sake of a legend; of a sheet
-SURE = 8.0  # mm of a sheet that stay free where figures grow once more: what is planned may turn out larger
+SURE = 6.0  # mm of a sheet that stay free where figures grow once more: what is planned may turn out larger
+LESS, MOST = (3.0, 2.0), 3.0  # mm that figures turn out narrower and lower than planned on the whole; times so at most
+HALF = 0.5  # of that: they fit at least so
+MANY = 3  # figures, of which that holds on the whole
 
 
 def over_legend(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Mapping[View, float], on: Paper) -> Scales:
@@ -28,9 +32,13 @@ def over_legend(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Map
     best = _chosen(figures, bare, given, there, on)
     if not best:
         return best
-    if _needed(figures, there | best, on, LEGEND + SURE) > 1:
-        return best
-    found = refilled([*_composings(figures, on, LEGEND + SURE)], there | best, set(best))
+    kept, at = LEGEND + SURE, there | best
+    least = min(_needed(_least(figures), at, on, 0.0), len(figures))
+    if _needed(figures, at, on, kept) > least:
+        return best  # which may do with fewer sheets
+    slim = _slimmer(figures) if len(figures) >= MANY else figures
+    ways = zip(_composings(slim, on, kept), _composings(_slimmer(figures, HALF), on), strict=True)
+    found = refilled([*ways], there | best, set(best))
     return {kind: found[kind] for kind in best}
 
 
@@ -55,6 +63,17 @@ def _composings(figures: Sequence[Crowded], on: Paper, kept: float = 0.0) -> Ite
     """The figures with their details on sheets that lie either way, so much of each (mm) kept free."""
     kinds = {one.of for one in figures if one.of is not None}
     yield from (Composing(figures, kinds, page, CLOSE) for page in rooms(on, kept))
+
+
+def _slimmer(figures: Sequence[Crowded], times: float = 1.0) -> list[Crowded]:
+    """The figures as large as they turn out on the whole."""
+    less = ([max(0.0, side - times * by) for side, by in zip(one.around, LESS, strict=True)] for one in figures)
+    return [replace(one, around=(wide, high)) for one, (wide, high) in zip(figures, less, strict=True)]
+
+
+def _least(figures: Sequence[Crowded]) -> list[Crowded]:
+    """The figures as small as they may turn out, without their details, which are left out where they need a sheet."""
+    return [replace(one, most=0) for one in _slimmer(figures, MOST)]
 
 
 def _needed(figures: Sequence[Crowded], scales: Scales, on: Paper, kept: float) -> int:

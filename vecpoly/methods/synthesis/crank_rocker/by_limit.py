@@ -38,7 +38,7 @@ def by_limit(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
     d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si), key="AD"))
     rocker = board.ray(d, unit(a - d), -board.given(design.ADC.si, "ADC"), key="DC1")
     c1 = pin(draft, "C_1", board.lay_off(d, rocker.along, draft.mm(design.CD.si), key="CD"))
-    board.join(SHEET, a, d, Role.LINK)
+    board.join(SHEET, a, d, Role.CONSTRUCTION)
     for end in (a, d):
         board.join(SHEET, c1, end, Role.CONSTRUCTION)
     marked(draft, d, (a, c1), valued("∠ADC_1", np.degrees(design.ADC.si)), key="ADC")
