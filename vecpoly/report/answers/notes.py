@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from ...algebra.quantity import number
 from ...board.said.short import TOO_SHORT
 from ...printed.digits import coarse, is_hopeless, on_paper
-from ...solution import Answer
+from ...solution import Answer, Solution
 from ...words import Lang, Words
-from ..values import is_worded, value
+from ..values import is_worded
 
 # keys of conditions whose yes says all: their reason is in the steps
 PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
@@ -25,6 +26,15 @@ COARSE = Words("读数误差可达", "reading error up to")
 def notes_of(answers: Sequence[Answer], lang: Lang) -> tuple[str, ...]:
     """The notes of these answers, a line each; what is read coarsely, or not at all, is marked in their table."""
     return (*_remarks(answers, lang), *_short(answers, lang))
+
+
+def scales_of(answers: Iterable[Answer], solution: Solution, lang: Lang) -> tuple[str, ...]:
+    """By which scales lengths on paper became answers; nothing where none did."""
+    used = {one.reading.scale for one in answers if one.reading.mm is not None and not one.computed}
+    every = [scale for one in solution.construction.figures for scale in (one.scale, one.scale.right)]
+    scales = {scale.symbol: scale.told for scale in every if scale.symbol in used}
+    told = [f"${symbol}$ = {number(scale.value)} {scale.per_mm}" for symbol, scale in scales.items() if symbol]
+    return (f"{_READ_BY.of(lang)}{_listed(told, lang)}",) if told else ()
 
 
 def remark_of(answer: Answer, lang: Lang) -> str:
@@ -69,12 +79,6 @@ def _short(answers: Sequence[Answer], lang: Lang) -> Iterator[str]:
     if short:
         head = Words(f"图上{TOO_SHORT.zh}", f"{TOO_SHORT.en} on paper").of(lang)
         yield f"{head[0].upper()}{head[1:]}{_COLON[lang]}{_listed(short, lang)}"
-
-
-def _computed(answer: Answer, lang: Lang) -> str:
-    """What cannot be read, with its computed value."""
-    told = value(answer.exact, answer.reading.unit, lang, answer.key)
-    return Words(f"${answer.reading.symbol}$ 的计算值 {told}", f"${answer.reading.symbol}$, computed: {told}").of(lang)
 
 
 _COLON: dict[Lang, str] = {"zh": "：", "en": ": "}
