@@ -66,7 +66,7 @@ def test_a_moment_that_resists_is_a_size_in_the_sum_and_negative_in_the_table_wh
     *shafts, total = listing.rows
     assert [row[-1] for row in shafts if row[-1] != "0"] == ["−15"]
     assert total == ("Σ", "", "", "0.2850", "", "−15"), "what the table is for: J_e and M_e"
-    assert "阻力为负" in words.zh and "what resists negative" in words.en
+    assert "阻力为负" in words.zh and "in the table driving ones are positive" in words.en
 
 
 @st.composite

@@ -34,8 +34,8 @@ def test_a_datum_told_in_words_has_its_value_where_the_words_leave_a_gap() -> No
 def test_the_radius_of_an_osculating_circle_keeps_its_letter() -> None:
     steps = [step.words for step in drawn("cam-moves-flat-arm").solution.construction.steps]
     (found,) = [words for words in steps if "Hartmann" in words.en]
-    (placed,) = [words for words in steps if "The face keeps the distance" in words.en]
-    assert "$ρ$ = " in found.en and "keeps the distance $ρ$ from" in placed.en and "相距 $ρ$" in placed.zh
+    (placed,) = [words for words in steps if "is always at the distance" in words.en]
+    assert "$ρ$ = " in found.en and "at the distance $ρ$ from" in placed.en and "相距 $ρ$" in placed.zh
 
 
 @pytest.mark.parametrize("name", ["6-5", "rotor-bolt-circle"])

@@ -35,7 +35,7 @@ def is_short(reading: Reading) -> bool:
 
 def too_short(mm: float) -> bool:
     """Whether a length shows on a rule, and is too short to be measured with it; what reads as 3.0 mm is not."""
-    return mm >= FINEST and round(mm, 1) < READABLE
+    return FINEST <= mm < READABLE - FINEST
 
 
 def _read(reading: Reading) -> bool:

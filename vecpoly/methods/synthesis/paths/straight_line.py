@@ -160,11 +160,12 @@ def _computed(draft: Draft, band: float, heights: list[float]) -> Words:
     return (narrow if on_paper < LEGIBLE else wide) + Words(
         "在 $△BCD$ 中由余弦定理求 $∠CBD$，得 $C$、$E$ 的坐标。$x$ 自 $A$ 沿 $AD$ 量起，高度 $h$ "
         f"自轨迹的最低点量起，$E_1$ 至 $E_{STATIONS}$ 的 $h$ 为 {'、'.join(rows)} mm；"
-        "其间再算若干点，以放大的比例画出曲线。作平行于 $AD$ 的两直线夹住曲线，"
+        "其间再算若干点，以放大的比例画出曲线（故校核只检验画图和读数）。作平行于 $AD$ 的两直线夹住曲线，"
         "量出长度 $L$ 和宽度 $δ$（两平行线的距离）：",
         "the law of cosines gives $∠CBD$ in $△BCD$, and so the coordinates of $C$ and $E$: $x$ from $A$ along "
         f"$AD$, the height $h$ from the lowest point of the path. At $E_1$ to $E_{STATIONS}$ $h$ is {', '.join(rows)} "
-        "mm; compute more between them, and plot the curve to an enlarged scale. Two parallels to $AD$ enclose it. "
+        "mm; compute more between them, and plot the curve to an enlarged scale (the check tests plotting and reading "
+        "alone). Two parallels to $AD$ enclose it. "
         "Read the length $L$ and the width $δ$:",
     )
 
