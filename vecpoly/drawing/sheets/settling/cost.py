@@ -1,5 +1,6 @@
 """What a reader of a page marks down in how its figures stand, as shares of a page: white in one piece, titles on a
-line of their own, middles that all but agree, margins that differ, cuts within cuts, an order that goes back up."""
+line of their own, more than one row, middles that all but agree, margins that differ, cuts within cuts, an order that
+goes back up."""
 
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ from ..slicing import Size
 
 SAME, NEAR = 0.6, 14.0  # mm: lines that are one to the eye; middles that differ by less look as if they were to agree
 MOST = 0.5  # of the smaller of two figures, by which they stand side by side, or one above the other
-_TITLE, _MIDDLE, _NESTED, _BACK = 0.04, 0.01, 0.03, 0.04  # for each
+_TITLE, _MIDDLE, _NESTED, _BACK, _ROW = 0.04, 0.01, 0.03, 0.04, 0.06  # for each
 _MARGIN, _TIGHT = 0.1, 0.01  # by their difference; for each mm of white that lacks
 APART = 0.5  # what each pair is worth that stands together
 
@@ -25,7 +26,8 @@ def standing_cost(boxes: Sequence[Rect], lines: Sequence[float], layout: Layout)
     askew = sum(_askew(boxes[i], boxes[k]) for i, k in pairs)
     back = sum(after.y0 > before.y1 for before, after in pairwise(boxes))
     lacking = max(0.0, CROWDED - max(layout.white, 0.0))
-    looks = _TITLE * uneven + _MIDDLE * askew + _BACK * back + _MARGIN * _margins(boxes, layout.page)
+    rows = sum(high - low > SAME for low, high in pairwise(sorted(lines)))  # but the first: one row is read most easily
+    looks = _TITLE * uneven + _MIDDLE * askew + _BACK * back + _ROW * rows + _MARGIN * _margins(boxes, layout.page)
     return looks + _NESTED * (layout.nested - layout.table) + _TIGHT * lacking - APART * layout.together
 
 
