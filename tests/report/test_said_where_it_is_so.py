@@ -48,3 +48,12 @@ def test_each_plane_is_judged_by_its_own_permissible_unbalance() -> None:
 @pytest.mark.parametrize(("mm", "short"), [(2.94, True), (2.96, False), (READABLE, False), (0.01, False)])
 def test_a_length_that_reads_as_long_enough_is_not_called_too_short(mm: float, short: bool) -> None:
     assert too_short(mm) is short
+
+
+def test_the_bar_of_a_knife_edge_is_as_long_as_the_circle_alone() -> None:
+    (told,) = [
+        words
+        for step in solve(load("D-3-knife")).construction.steps
+        if "OE" in (words := step.words).en and "r_1" in words.en
+    ]
+    assert "r_1" in told.zh and "r_2" not in told.en + told.zh

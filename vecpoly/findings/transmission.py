@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import degrees, radians
 
 import numpy as np
+import numpy.typing as npt
 
 from ..cycle.facts.transmission_range import ABOUT, USUAL, Transmission
 from ..mechanism.groups.assur import Dyad, decompose
@@ -57,9 +58,10 @@ def _one(study: Study, t: Transmission, d: Dyad) -> Words:
 
 def _square(study: Study, t: Transmission) -> Words:
     """How often the angle is 90°, its maximum value."""
-    side = np.sign(study.turn.real(t.key) - radians(90.0))
-    side = side[np.isfinite(side) & (side != 0.0)]
-    ring = np.append(side, side[:1]) if study.whole.whole else side
+    off = study.turn.real(t.key) - radians(90.0)
+    off = off[np.isfinite(off) & (off != 0.0)]
+    side = np.sign(off)
+    ring = np.append(side, side[:1]) if study.whole.whole and _closes(off) else side
     times = int(np.count_nonzero(ring[1:] != ring[:-1]))
     if not times:
         return Words("；最大为 90°", "; its greatest is 90°")
@@ -68,6 +70,12 @@ def _square(study: Study, t: Transmission) -> Words:
         f"；{span(study).zh}内有 {times} 次达到最大值 90°",
         f"; it reaches 90°, its greatest, {often} {'a' if study.whole.whole else 'within the'} {span(study).en}",
     )
+
+
+def _closes(values: npt.NDArray[np.float64]) -> bool:
+    """Whether a curve ends where it began: that of a pinion on a rack does not after a turn."""
+    steps = np.abs(np.diff(values))
+    return bool(steps.size) and abs(float(values[-1] - values[0])) <= 2.0 * float(steps.max())
 
 
 def _judged(least: float) -> Words:

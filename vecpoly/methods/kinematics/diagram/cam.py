@@ -68,6 +68,8 @@ def _bar(desk: Desk, contact: Contact, group: Group) -> Words:
     assert isinstance(contact.on, Circle)
     bar, (one, two) = contact.substitute, map(desk.mech.disc_number, (contact.disc.link, contact.on.link))
     length = f"r_{two} − r_{one}" if contact.internal else f"r_{one} + r_{two}"
+    if not contact.on.radius:
+        length = f"r_{one}"  # an edge has none
     if _profiled(desk, contact):
         length = "ρ"  # of the tip's path on the cam
     real = _real(group, contact)

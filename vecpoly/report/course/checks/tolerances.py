@@ -126,6 +126,16 @@ def judged(study: Study, keys: tuple[str, ...], found: tuple[Influence, ...]) ->
         (one for one in found if one.gaps and one.gaps[-1] > NOTHING * largest(study, keys[-1])),
         key=lambda one: -one.gaps[-1],
     )
+    still = [one.dimension.name for one in found if one.matters and one.gaps and one not in ranked]
+    if still and len(ranked) > 1:
+        symbol = study.turn.info(keys[-1]).symbol
+        yield Words(
+            f"{'、'.join(w.zh for w in still)} 对 ${symbol}$ 没有影响；以下只比较其余尺寸。",
+            _upper(
+                f"{', '.join(the(w.en) for w in still)} {'does' if len(still) == 1 else 'do'} not change ${symbol}$; "
+            )
+            + "the others are compared.",
+        )
     if len(ranked) > 1:
         yield _weighed(study, keys, ranked)
     yield from _limited(study, found)
