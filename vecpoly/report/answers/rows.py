@@ -3,7 +3,6 @@ it is off, and by how much it may be off."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from ...algebra.rounding import braced, read_back
@@ -20,7 +19,7 @@ from .line import direction_told, result_of
 from .order import Part, arranged, broken
 from .placed import ALIGN_PLACES, PLACES, angle, clean, endless, gaps, place_row, reaches
 from .tables import deviation_told, row_of, unit_of
-from .verdict import exceeds, starred
+from .verdict import STAR, exceeds, starred
 
 BY_FORMULA = Words("计算值", "computed")
 GIVEN = Words("已知", "given")
@@ -65,7 +64,7 @@ def values_table(parts: Sequence[Part], solution: Solution, lang: Lang) -> Frame
             heads[n] += f" /{braced(*units)}"
         rows = [row.with_cell(_IN, NOTHING) for row in rows]
     for n, head in ((-2, _OFF), (-1, _ERROR)):
-        told, column = in_unit_of_most(head.of(lang), [row.cells[n] for row in rows])
+        told, column = in_one_unit(head.of(lang), [row.cells[n] for row in rows])
         heads.append(told)
         rows = [row.with_cell(n, cell) for row, cell in zip(rows, column, strict=True)]
     return _framed(heads, rows, _ALIGN, lang)
@@ -85,19 +84,18 @@ def places_table(parts: Sequence[Part], solution: Solution, lang: Lang) -> Frame
     return _framed(heads, rows, f"l{ALIGN_PLACES}", lang) if rows else None
 
 
-def in_unit_of_most(head: str, cells: Sequence[str]) -> tuple[str, list[str]]:
-    """The head and the cells of a column of deviations: the unit that half of them have stands in the head, per
-    cents where there is none; any other beside its number."""
-    spaced = [cell.replace("°", " °") for cell in cells]
+def in_one_unit(head: str, cells: Sequence[str]) -> tuple[str, list[str]]:
+    """The head and the cells of a column of deviations, per cents where no unit is told: the unit that all of them have
+    stands in the head; of several each stands beside its number."""
+    stars = [STAR if cell.endswith(STAR) else "" for cell in cells]
+    spaced = [cell.removesuffix(STAR).replace("°", " °") for cell in cells]
     full = [cell if " " in cell or cell == NOTHING else f"{cell} %" for cell in spaced]
-    units = Counter(cell.partition(" ")[2] for cell in full if cell != NOTHING)
-    if not units:
-        return head, list(cells)
-    ((most, count),) = units.most_common(1)
-    if 2 * count < sum(units.values()):
-        return head, [cell.replace(" °", "°") for cell in full]
-    told = [cell.partition(" ")[0] if cell.partition(" ")[2] == most else cell.replace(" °", "°") for cell in full]
-    return f"{head} /{braced(most)}", told
+    units = {cell.partition(" ")[2] for cell in full if cell != NOTHING}
+    if len(units) == 1:
+        return f"{head} /{braced(*units)}", [
+            cell.partition(" ")[0] + star for cell, star in zip(full, stars, strict=True)
+        ]
+    return head, [cell.replace(" °", "°") + star for cell, star in zip(full, stars, strict=True)]
 
 
 def _of_part(part: Part, solution: Solution, lang: Lang) -> Iterator[Rowed]:
