@@ -23,7 +23,7 @@ from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
 NAMES = ("3-9", "3-12", "A-27", "4-3a", "5-5")
-TOLD = {"en": "is a sketch of its polygon, not to scale", "zh": "矢量多边形的示意图，不按比例"}
+TOLD = {"en": "beside the equations are sketches, not to scale", "zh": "方程旁的小图为示意图，不按比例"}
 
 
 def story(some: Sequence[Solution], lang: Lang = "en", style: str = "solution") -> tuple[list[Any], str]:
