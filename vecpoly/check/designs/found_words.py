@@ -71,14 +71,6 @@ def ill_conditioned(one: Verified, alone: bool) -> Words | None:
     return loose + lost if loose and lost else loose or lost
 
 
-def all_ill_conditioned(every: Sequence[Verified]) -> list[Words]:
-    """The same of all solutions: of several at once, for the table beside tells by how much."""
-    some = [one for one in every if one.loose or one.lost]
-    if len(some) < 2:
-        return [words for one in some if (words := ill_conditioned(one, len(every) == 1)) is not None]
-    return [words for words in (_all_loose(some), _all_lost(some)) if words is not None]
-
-
 def all_lost(every: Sequence[Verified]) -> list[Words]:
     """That some hands miss solutions; which lengths hardly follow from the drawing is marked where these are told."""
     some = [one for one in every if one.lost]
@@ -96,19 +88,6 @@ def all_lost(every: Sequence[Verified]) -> list[Words]:
 def _symbol(key: str) -> str:
     """Of a length between two pins, or of an offset."""
     return f"l_{{{key}}}" if key.isupper() and len(key) > 1 else key
-
-
-def _all_loose(some: Sequence[Verified]) -> Words | None:
-    which = _alike((", ".join(f"${_symbol(key)}$" for key in one.loose), one.number) for one in some if one.loose)
-    if not which:
-        return None
-    zh = "；".join(f"{who.zh} 的 {lengths.replace(', ', '、')}" for lengths, who in which)
-    en = "; ".join(f"{lengths} of {who.en}" for lengths, who in which)
-    return Words(
-        f"作图条件差：{zh} 的预期作图误差超过 {100 * LOOSE:g} %，宜用解析法求得。",
-        f"Ill-conditioned construction: the expected drawing error is above {100 * LOOSE:g} % for {en}. These lengths "
-        "should be found by calculation.",
-    )
 
 
 def _all_lost(some: Sequence[Verified]) -> Words | None:
