@@ -9,8 +9,8 @@ from decimal import Decimal
 from typing import Any
 
 import numpy as np
-import yaml
 
+from tests.generators.library import Data, data_of, over
 from vecpoly.errors import VecpolyError
 from vecpoly.problem.library import Entry, library
 from vecpoly.problem.load import loads
@@ -65,12 +65,12 @@ def written(entry: Entry, rng: np.random.Generator) -> str:
     return f"id: varied\ntitle: varied\nextends: {entry.id}\n{gate}" + (f"vary:\n{rows}" if rows else "")
 
 
-def _data(entry: Entry) -> Mapping[str, Any]:
+def _data(entry: Entry) -> Data:
     """What the file says, with what it extends; every scalar is its text."""
-    data = yaml.load(entry.path.read_text(encoding="utf-8"), Loader=getattr(yaml, "CBaseLoader", yaml.BaseLoader))
+    data = data_of(entry.path.read_text(encoding="utf-8"))
     if "extends" not in data:
-        return dict(data)
-    return {**_data(next(one for one in library() if one.id == data["extends"])), **data}
+        return data
+    return over(_data(next(one for one in library() if one.id == data["extends"])), data)
 
 
 def _range(data: Mapping[str, Any], slot: Slot) -> str:

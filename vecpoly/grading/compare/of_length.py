@@ -33,7 +33,7 @@ def contradicted(
 def of_length(one: Graded, line: Graded, mine: Measured, follower: Follower) -> Target:
     """What follows from an own length: a value that is computed from one length alone is in proportion to it."""
     value = one.exact * abs(mine.value) / line.exact
-    return Target(value=value, allowed=follower.allowed(one, abs(value)), degrees=one.degrees)
+    return Target(value=value, allowed=follower.allowed(one, abs(value)))
 
 
 def _measured(line: Graded | None, one: Graded, given: Mapping[str, Measured], exact: Mapping[str, Outcome]) -> bool:

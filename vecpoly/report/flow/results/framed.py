@@ -61,13 +61,6 @@ class FramedTable(HalvedTable):
             half.widths = tuple(one + more for one in half.widths)
         return halves
 
-    def _row(
-        self, ink: Ink, row: Any, widths: Sequence[float], left: float, top: float, align: str, *rest: Any, **said: Any
-    ) -> float:
-        """Its heads over their columns."""
-        heads = "".join("l" if way == "l" else "c" for way in self.align)
-        return super()._row(ink, row, widths, left, top, heads if said.get("header") else align, *rest, **said)
-
     def _rule(self, ink: Ink, x: float, y: float, width: float, weight: float) -> float:
         """Under the heads and between groups; the frame closes it above and below."""
         if weight < 0.8:
