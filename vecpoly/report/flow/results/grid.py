@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import accumulate, groupby
 from math import ceil
 
@@ -105,10 +106,11 @@ def _raised(box: Box, up: float, down: float) -> Box:
     return replace(box, ascent=max(box.ascent, up), descent=max(box.descent, down))
 
 
-def sentence(text: str, em: float, room: float, chinese: bool) -> Iterator[Box]:
+@lru_cache(maxsize=4096)
+def sentence(text: str, em: float, room: float, chinese: bool) -> tuple[Box, ...]:
     """A text in lines of this width (mm), no blank of which is shrunk."""
-    for line in break_lines(cells(text, em, chinese), room, em, least=1.0):
-        yield joined(list(line.cells), em)
+    lines = break_lines(cells(text, em, chinese), room, em, least=1.0)
+    return tuple(joined(list(line.cells), em) for line in lines)
 
 
 def _head(one: AnswerLine, em: float) -> Box:
