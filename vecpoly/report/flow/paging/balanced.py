@@ -15,7 +15,7 @@ from .setting import tightened
 
 ENOUGH, LAST = 0.88, 0.8  # of a page of text, and of the last one: what is filled so far looks full
 LEAST = 0.3  # of the last page, which may be shorter than a page behind which the text goes on
-_SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 8)))  # a page that would be half empty is worth a wider setting
+_OPENER = tuple(grown(OPENEST * n / 5) for n in range(8))  # a page that would be half empty is worth a wider setting
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
 _Score = tuple[int, int, int, int, int, float]
 
@@ -26,11 +26,8 @@ def balanced(doc: ReportDoc, plain: Sequence[Any]) -> ReportDoc:
     best, found = _score(doc), doc
     if len(doc.filled) < 2:
         return doc
-    for one in _ways(plain):
-        if not any(best[-2:]):
-            break
-        tried = ReportDoc(one, doc.metadata)
-        tried.counted()
+    ways = (tried for placed in _placed(plain) for tried in _laid(placed, doc))
+    while any(best[-2:]) and (tried := next(ways, None)) is not None:
         score = _score(tried)
         if score < best:
             best, found = score, tried
@@ -49,11 +46,20 @@ def _score(doc: ReportDoc) -> _Score:
     return int(doc.page), len(doc.widows), doc.parted, thin, doc.gaps, round(emptiness(doc.filled), 4)
 
 
-def _ways(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:
-    """The text as it is, then opener, then closer; its sheets behind it, then before each of its sections."""
+def _placed(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:
+    """The story, its sheets behind its text, then before each of its sections."""
     count = next((n for n, item in enumerate(reversed(plain)) if not isinstance(item, SheetPage)), 0)
     text, sheets = plain[: len(plain) - count], plain[len(plain) - count :]
-    degrees = (*map(grown, _SHARES), *_CLOSER)
     for at in (len(text), *(heads(text) if sheets else ())):
-        placed = [*text[:at], *map(settled, sheets), *text[at:]]
-        yield from (tightened(placed, degree) for degree in degrees)
+        yield [*text[:at], *map(settled, sheets), *text[at:]]
+
+
+def _laid(story: Sequence[Any], doc: ReportDoc) -> Iterator[ReportDoc]:
+    """The story laid out opener and opener, as long as it needs no page more than the document, then closer."""
+    for degrees in (_OPENER, _CLOSER):
+        for degree in degrees:
+            tried = ReportDoc(tightened(story, degree), doc.metadata)
+            tried.counted()
+            yield tried
+            if degrees is _OPENER and tried.page > doc.page:
+                break
