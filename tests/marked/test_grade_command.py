@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,9 @@ from typer.testing import CliRunner
 from tests.marked.classes import NUMBERS, answers, register, wide
 from vecpoly.batch.register import NAME
 from vecpoly.cli.app import app
+from vecpoly.errors import VecpolyError
 from vecpoly.foundation.slotted import replace
+from vecpoly.marked.out.record import differences, read_record
 from vecpoly.words import many
 
 
@@ -110,3 +113,51 @@ def test_marks_are_told_in_the_language_of_the_class_where_nothing_is_said(
         assert CliRunner().invoke(app, [*words, *extra, *again]).exit_code == 0
     assert (tmp_path / "two" / "grades.csv").read_text("utf-8-sig").startswith(head)
     assert (tmp_path / "two" / "changes.csv").read_text("utf-8-sig").startswith(head.split(",")[0])
+
+
+def test_changes_are_told_in_the_words_of_the_class(tmp_path: Path) -> None:
+    """Verdicts were those of the record, in English."""
+    before, after = (
+        {
+            "students": [
+                {
+                    "number": "1",
+                    "problems": {
+                        "3-9": {
+                            "answers": [{"key": "v_E", "outcome": outcome, "points": points, "written": "0.5"}],
+                            "lines": [{"key": "v_E", "verdict": verdict, "points": points}],
+                        }
+                    },
+                }
+            ]
+        }
+        for outcome, verdict, points in (("right", "right", 2.0), ("sense", "missing", 0.0))
+    )
+    assert differences(before, after, "zh") == [
+        ["1", "3-9", "v_E", 2.0, "正确", "0.5", 0.0, "转向或符号错", "0.5"],
+        ["1", "3-9", "v_E（线）", 2.0, "正确", "", 0.0, "漏画", ""],
+    ]
+    assert [row[4::3] for row in differences(before, after, "en")] == [["right", "wrong sense"], ["right", "missing"]]
+
+
+PROBLEMS: tuple[object, ...] = (
+    [],
+    {"3-9": 1},
+    {"3-9": {"answers": [{"key": "v", "outcome": "fair", "points": 1, "written": ""}]}},
+    {"3-9": {"answers": [{"key": "v", "outcome": "right", "points": "x", "written": ""}]}},
+)
+DAMAGED = (
+    "",
+    "[]",
+    '{"version": 1}',
+    '{"version": 1, "students": [{}]}',
+    '{"version": 1, "students": 3}',
+    *(json.dumps({"version": 1, "students": [{"number": "1", "problems": one}]}) for one in PROBLEMS),
+)
+
+
+@pytest.mark.parametrize("text", DAMAGED)
+def test_a_damaged_record_of_marks_is_no_record(tmp_path: Path, text: str) -> None:
+    (tmp_path / "marks.json").write_text(text, encoding="utf-8")
+    with pytest.raises(VecpolyError, match="no marks"):
+        read_record(tmp_path)

@@ -82,7 +82,7 @@ def grade(order: Order, told: Told) -> Graded:
     faults = (*returned.faults, *drawn.faults)
     aside = {str(one.numbers["student"]) for one in faults if "student" in one.numbers}
     results = tuple(replace(one, aside=one.student.number in aside) for one in results)
-    changed = None if before is None else differences(before, record(results, register.assignment))
+    changed = None if before is None else differences(before, record(results, register.assignment), order.lang)
     files = list(_tables(order, results, faults, changed))
     if order.feedback:
         from .out.feedback import feedback_files

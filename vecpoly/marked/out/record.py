@@ -8,11 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import VecpolyError
-from ...words import Words
+from ...grading.compare.outcome import Outcome
+from ...grading.drawings.judging.mark import Verdict
+from ...words import Lang, Words
 from ..work import Result
 
 NAME = "marks.json"
 VERSION = 1
+_LINE = Words("（线）", " (line)")
+_NOTHING = ("", "", "")
+_Marked = tuple[str, str, str]  # student, problem, quantity
+_Mark = tuple[float | str, str, str]  # points, outcome, what was written
 
 
 def record(results: Sequence[Result], assignment: str) -> dict[str, Any]:
@@ -39,9 +45,10 @@ def read_record(path: Path) -> dict[str, Any]:
     file = path / NAME if path.is_dir() else path
     try:
         data = json.loads(file.read_bytes())
-        if data["version"] == VERSION and isinstance(data["students"], list):
+        if data["version"] == VERSION:
+            _points(data, "en")  # whatever is to be compared can be read
             return dict(data)
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, AttributeError):
         pass
     raise VecpolyError(
         Words(
@@ -52,39 +59,32 @@ def read_record(path: Path) -> dict[str, Any]:
     )
 
 
-def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[list[str | float]]:
+def differences(before: Mapping[str, Any], after: Mapping[str, Any], lang: Lang) -> list[list[str | float]]:
     """Student, problem, quantity, points before and after, what was written: of all that is marked otherwise."""
     rows: list[list[str | float]] = []
-    old, new = _points(before), _points(after)
+    old, new = _points(before, lang), _points(after, lang)
     for key in dict.fromkeys((*old, *new)):
         was, now = old.get(key), new.get(key)
         if was != now:
-            rows.append([*key, *(_told(was)), *(_told(now))])
+            rows.append([*key, *(was or _NOTHING), *(now or _NOTHING)])
     return rows
 
 
-def _points(data: Mapping[str, Any]) -> dict[tuple[str, str, str], tuple[float, str, str]]:
-    return (
-        {
-            (student["number"], problem, one["key"]): (round(one["points"], 6), one["outcome"], one["written"])
-            for student in data["students"]
-            for problem, marked in student["problems"].items()
-            for one in marked["answers"]
-        }
-        | {
-            (student["number"], problem, f"{one['key']} (line)"): (round(one["points"], 6), one["verdict"], "")
-            for student in data["students"]
-            for problem, marked in student["problems"].items()
-            for one in marked.get("lines", ())
-        }
-        | {
-            (student["number"], problem, one["key"]): (round(one["points"], 6), one["outcome"], one["written"])
-            for student in data["students"]
-            for problem, marked in student["problems"].items()
-            for one in marked.get("equations", ())
-        }
-    )
-
-
-def _told(one: tuple[float, str, str] | None) -> list[str | float]:
-    return ["", "", ""] if one is None else [one[0], one[1], one[2]]
+def _points(data: Mapping[str, Any], lang: Lang) -> dict[_Marked, _Mark]:
+    """How everything was marked: numbers, rows of equations, lines of drawings."""
+    parts = [
+        (student["number"], problem, marked)
+        for student in data["students"]
+        for problem, marked in student["problems"].items()
+    ]
+    return {
+        (number, problem, one["key"]): (round(one["points"], 6), Outcome(one["outcome"]).words.of(lang), one["written"])
+        for number, problem, marked in parts
+        for one in (*marked["answers"], *marked.get("equations", ()))
+    } | {
+        (number, problem, one["key"] + _LINE.of(lang)): (
+            round(one["points"], 6), Verdict(one["verdict"]).words.of(lang), ""
+        )
+        for number, problem, marked in parts
+        for one in marked.get("lines", ())
+    }  # fmt: skip
