@@ -84,13 +84,28 @@ def test_a_name_too_long_for_a_line_and_a_file_is_told_and_the_others_are_kept(t
     ("data", "says"),
     [
         (b"a,b\n1,2\n", "no column of student numbers"),
-        (b"\xff\xff\xff\xff", "neither UTF-8 nor GB18030"),
+        (b"\xff\xff\xff\xff", "neither UTF-8 nor GB 18030"),
         ("学号\n".encode(), "no students"),
     ],
 )
 def test_what_is_no_roster_is_refused_with_its_reason(tmp_path: Path, data: bytes, says: str) -> None:
     with pytest.raises(RosterError, match=says):
         read_roster(roster(tmp_path, data))
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "gb18030"])
+def test_a_roster_is_read_whatever_ends_its_lines_and_however_it_is_encoded(
+    tmp_path: Path, end: str, encoding: str
+) -> None:
+    """Lines of an old Macintosh ended in a traceback, and what is saved as Unicode text was refused."""
+    assert read_roster(roster(tmp_path, ROWS.replace("\n", end).encode(encoding))).students == TWO
+
+
+def test_a_roster_whose_quotes_nothing_closes_is_refused_with_the_line(tmp_path: Path) -> None:
+    with pytest.raises(RosterError, match="line 2: it cannot be read") as refused:
+        read_roster(roster(tmp_path, (ROWS.splitlines()[0] + '\n1,"' + "x" * 200_000 + "\n2,y").encode()))
+    assert "第 2 行" in refused.value.words.zh
 
 
 def test_what_is_no_workbook_is_refused(tmp_path: Path) -> None:

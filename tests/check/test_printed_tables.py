@@ -621,7 +621,7 @@ def test_a_missing_file_a_broken_workbook_and_a_device_are_refused(tmp_path: Pat
     (tmp_path / "broken.xlsx").write_bytes(b"PK nonsense")
     for problem, name, words in (
         ("A-16", "none.csv", "No such file"),
-        ("A-16", "broken.xlsx", "no readable XLSX"),
+        ("A-16", "broken.xlsx", "no XLSX workbook"),
         ("5-1", "none.csv", "is about a device"),
     ):
         with pytest.raises(TableError, match=words):

@@ -1,4 +1,4 @@
-"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --commands N | --kills N:
+"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --commands N | --classes N | --kills N:
 damage, ask by lot, kill, and a table of what came of it."""
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .classes import damaged_classes, of_class
 from .commands import commands, of_command
 from .files import damaged_files, damaged_tables
 from .kills import killed
@@ -24,6 +25,7 @@ def main() -> int:
     asked.add_argument("--files", type=int, default=0)
     asked.add_argument("--tables", type=int, default=0)
     asked.add_argument("--commands", type=int, default=0, help="command lines by lot")
+    asked.add_argument("--classes", type=int, default=0, help="files of a class")
     asked.add_argument("--kills", type=int, default=0)
     asked.add_argument("--seed", type=int, default=0)
     asked.add_argument("--report", action="store_true", help="set the report of what solves, too")
@@ -43,6 +45,8 @@ def main() -> int:
             broken += _table("tables", outcomes(_table_file, damaged_tables(rng, told.tables, Path(folder))), told.keep)
     if told.commands:
         broken += _table("commands", outcomes(of_command, commands(rng, told.commands), SLOW), None, tell=True)
+    if told.classes:
+        broken += _table("classes", outcomes(of_class, damaged_classes(rng, told.classes), SLOW), None, tell=True)
     for n in range(told.kills):
         with tempfile.TemporaryDirectory() as folder:
             wrong = killed(rng, Path(folder)).wrong
@@ -73,7 +77,7 @@ def _table(what: str, found: object, keep: Path | None, *, tell: bool = False) -
         if outcome.end in (End.TRACEBACK, End.HANG):
             broken[outcome.said] += 1
             if tell:
-                print(f"{outcome.end}: vecpoly {task}: {outcome.said}", flush=True)
+                print(f"{outcome.end}: {task}: {outcome.said}", flush=True)
             if keep is not None and broken[outcome.said] == 1:
                 keep.mkdir(parents=True, exist_ok=True)
                 (keep / f"{what}-{sum(broken.values())}{Path(task).suffix}").write_bytes(Path(task).read_bytes())

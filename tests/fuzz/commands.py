@@ -138,7 +138,7 @@ def of_command(line: str) -> Outcome:
                 result = CliRunner().invoke(app, shlex.split(line), prog_name="vecpoly")
             except BaseException as error:  # what the runner itself cannot hold
                 return Outcome(End.TRACEBACK, f"{type(error).__name__}: {error}")
-        wrong = _wrong(result) or spoilt(Path(folder), before, result.exit_code) or _json(line, result)
+        wrong = wrong_end(result) or spoilt(Path(folder), before, result.exit_code) or _json(line, result)
     if wrong:
         return Outcome(End.TRACEBACK, wrong)
     return Outcome(End.SOLVED if result.exit_code in (0, DISAGREES) else End.REFUSED)
@@ -162,7 +162,8 @@ def printed(folder: Path) -> dict[str, str]:
     }
 
 
-def _wrong(result: Result) -> str:
+def wrong_end(result: Result) -> str:
+    """A traceback, an exit code that is none, a refusal without a word."""
     error = result.exception
     if error is not None and not isinstance(error, SystemExit):
         last = traceback.extract_tb(error.__traceback__)[-1]

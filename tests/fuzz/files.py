@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from io import BytesIO
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 
@@ -46,14 +48,30 @@ def damaged_tables(rng: np.random.Generator, count: int, folder: Path) -> Iterat
                 mutant(rng, [text, text.replace(",", ";"), text.replace(",", "\t")]).encode("utf-8", "surrogatepass"),
             )
         else:
-            path, data = folder / "t.xlsx", _bytes(rng, book)
+            path, data = folder / "t.xlsx", damaged_bytes(rng, book)
         path.write_bytes(data)
         yield str(path)
 
 
-def _bytes(rng: np.random.Generator, data: bytes) -> bytes:
-    """Some bytes are others, or the end is missing."""
+def damaged_bytes(rng: np.random.Generator, data: bytes) -> bytes:
+    """Some bytes are others, or the end is missing; of a file that is packed, now and then a text inside is damaged."""
+    if data.startswith(b"PK") and rng.integers(2):
+        return _repacked(rng, data)
     damaged = bytearray(data)
     for at in rng.integers(len(damaged), size=int(rng.integers(1, 12))):
         damaged[int(at)] = int(rng.integers(256))
     return bytes(damaged[: int(rng.integers(len(damaged)))] if rng.integers(4) == 0 else damaged)
+
+
+def _repacked(rng: np.random.Generator, data: bytes) -> bytes:
+    """One of the texts that are packed is damaged, all else is as it was."""
+    out = BytesIO()
+    with ZipFile(BytesIO(data)) as old, ZipFile(out, "w") as new:
+        names = old.namelist()
+        chosen = names[int(rng.integers(len(names)))]
+        for name in names:
+            inside = old.read(name)
+            if name == chosen:
+                inside = mutant(rng, [inside.decode("utf-8", "replace")]).encode("utf-8", "replace")
+            new.writestr(name, inside)
+    return out.getvalue()

@@ -42,7 +42,7 @@ def of_file(path: Path, report: bool = False) -> Outcome:
             if report:
                 report_bytes([solution], lang="en")
 
-    return _ended(act)
+    return ended(act)
 
 
 def of_table(problem: str, path: Path) -> Outcome:
@@ -50,10 +50,11 @@ def of_table(problem: str, path: Path) -> Outcome:
     from vecpoly.check.table.whole import check_table
     from vecpoly.problem.load import load
 
-    return _ended(lambda: check_table(load(problem), path))
+    return ended(lambda: check_table(load(problem), path))
 
 
-def _ended(act: object) -> Outcome:
+def ended(act: object) -> Outcome:
+    """What becomes of an act."""
     try:
         act()  # type: ignore[operator]
     except VecpolyError as error:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from tests.fuzz.__main__ import SLOW, _file, _table_file
+from tests.fuzz.classes import FILES, damaged_classes, of_class
 from tests.fuzz.commands import commands, of_command, printed, spoilt
 from tests.fuzz.files import damaged_files, damaged_tables
 from tests.fuzz.kills import killed
@@ -44,6 +45,15 @@ def test_no_command_line_ends_in_a_traceback_or_spoils_a_file() -> None:
         ends[outcome.end] += 1
         assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\nvecpoly {line}"
     assert ends[End.SOLVED] and ends[End.REFUSED]
+
+
+def test_no_damaged_file_of_a_class_ends_in_a_traceback_or_loses_a_student() -> None:
+    """Rosters, profiles, registers, answers, rules, marks and drawings, as the commands of a class read them."""
+    ends, count = Counter[End](), often(2 * len(FILES), 1500)
+    for task, outcome in outcomes(of_class, damaged_classes(np.random.default_rng(31), count), SLOW):
+        ends[outcome.end] += 1
+        assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\n{task}"
+    assert ends[End.SOLVED] > count / 10 and ends[End.REFUSED] > count / 10
 
 
 def test_what_a_command_spoils_is_seen(tmp_path: Path) -> None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
+from vecpoly.grading.scheme import Scheme
+from vecpoly.marked.graded import Order, grade
 
 
 def test_one_students_answers_are_wrong_with_anothers_numbers(tmp_path: Path) -> None:
@@ -84,3 +87,15 @@ def test_of_copied_answers_equations_and_own_scales_are_paid_as_anybodys(tmp_pat
     assert mine.worth == 20.0 and [one.total for one in others] == [20.0, 20.0]
     earned = sum(one.earned for one in mine.marks["3-9"].equations)
     assert earned == pytest.approx(sum(row.points for row in key.equations))
+
+
+def test_who_has_no_name_in_the_register_hides_no_other_row(tmp_path: Path) -> None:
+    """A row without a name was that of the nameless student, in a column that there was not."""
+    first, *others = register().sheets
+    nameless = replace(register(), sheets=(replace(first, student=replace(first.student, name="")), *others))
+    answered = wide(tmp_path / "a.csv", everybody())
+    order = Order(
+        register=nameless, files=(answered,), out=tmp_path / "out", scheme=Scheme(), lang="zh", feedback=False
+    )
+    done = grade(order, lambda *_: None)
+    assert not done.faults and [one.total for one in done.results] == [20.0] * 3

@@ -3,16 +3,18 @@ others."""
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 
 from ..errors import Fault, Place, VecpolyError
-from ..limits import PERSON, ROSTER, TABLE_BYTES
+from ..limits import PERSON, ROSTER
+from ..tables.files import bytes_of
+from ..tables.texts import decoded, separated
+from ..tables.workbooks import WORKBOOKS, reading
 from ..words import Words
 from .columns import NAME, NUMBER, TEAM, is_one
 from .student import Student
@@ -146,15 +148,9 @@ def _no_twins(path: Path, students: Sequence[tuple[int, Student]]) -> None:
 
 def _rows(path: Path) -> Iterator[Row]:
     """The rows of the file; raises RosterError for what is no table, OSError."""
-    if path.stat().st_size > TABLE_BYTES:
-        raise RosterError(
-            Words(
-                f"{path}：超过 {TABLE_BYTES // 10**6} MB；这不是名单",
-                f"{path}: over {TABLE_BYTES // 10**6} MB; this is no roster",
-            )
-        )
-    reader = _xlsx if path.suffix.lower() in (".xlsx", ".xlsm") else _csv
-    for line, cells in enumerate(reader(path), 1):
+    data = bytes_of(path, RosterError)
+    reader = _xlsx if path.suffix.lower() in WORKBOOKS else _csv
+    for line, cells in enumerate(reader(str(path), data), 1):
         if line > ROSTER:
             raise RosterError(
                 Words(f"{path}：超过 {ROSTER} 行；请分成几份", f"{path}: more than {ROSTER} rows; split it"),
@@ -163,52 +159,22 @@ def _rows(path: Path) -> Iterator[Row]:
         yield line, tuple(map(plain, cells))
 
 
-def _xlsx(path: Path) -> Iterator[Sequence[object]]:
-    from zipfile import BadZipFile
-
+def _xlsx(name: str, data: bytes) -> Iterator[Sequence[object]]:
     from openpyxl import load_workbook
 
-    try:
-        sheet = load_workbook(path, data_only=True).worksheets[0]
+    with reading(name, data, RosterError):
+        sheet = load_workbook(BytesIO(data), data_only=True).worksheets[0]
         for one in tuple(sheet.merged_cells.ranges):  # what stands in a merged cell, a class, is said of all its rows
             said = one.start_cell.value
             sheet.unmerge_cells(one.coord)
             for row in range(one.min_row, min(one.max_row, ROSTER) + 1):
                 sheet.cell(row, one.min_col).value = said
         yield from sheet.iter_rows(values_only=True)
-    except (BadZipFile, KeyError, ValueError, IndexError) as error:
-        raise RosterError(
-            Words(
-                f"{path}：不是 XLSX 工作簿（{error}）；请另存为 XLSX 或 CSV",
-                f"{path}: no XLSX workbook ({error}); save it again as XLSX or CSV",
-            ),
-            code="no-workbook",
-        ) from None
 
 
-def _csv(path: Path) -> Iterator[Sequence[object]]:
-    data = path.read_bytes()
-    text = decoded(data)
-    if text is None:
-        raise RosterError(
-            Words(
-                f"{path}：既不是 UTF-8 也不是 GB18030；请另存为 UTF-8",
-                f"{path}: neither UTF-8 nor GB18030; save it as UTF-8",
-            ),
-            code="encoding",
-        )
-    head = text[:4096]
-    mark = max("\t;,，", key=head.count)
-    yield from csv.reader(
-        io.StringIO(text.replace("，", ",") if mark == "，" else text), delimiter="," if mark == "，" else mark
-    )
-
-
-def decoded(data: bytes) -> str | None:
-    """The text, in UTF-8 (with or without its mark) or GB18030; None where it is neither."""
-    for encoding in ("utf-8-sig", "gb18030"):
-        try:
-            return data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-    return None
+def _csv(name: str, data: bytes) -> Iterator[Sequence[object]]:
+    text = decoded(data, name, RosterError)
+    mark = max("\t;,，", key=text[:4096].count)
+    if mark == "，":
+        text, mark = text.replace("，", ","), ","
+    yield from separated(text, mark, name, RosterError)

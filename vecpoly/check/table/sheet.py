@@ -11,6 +11,8 @@ from typing import Any
 
 from ...errors import Place, TableError
 from ...problem.text.held import Held
+from ...tables.texts import decoded, unreadable
+from ...tables.workbooks import WORKBOOKS
 from ...words import Words
 from .file import counted, read_table, rows_of_workbook
 
@@ -149,21 +151,21 @@ def _is_in_words(lines: list[tuple[int, list[str]]]) -> bool:
 
 def _title(path: Path | Held) -> Words:
     """A first line '# 表 1-A / Table 1-A' of a text file; else the file's name."""
-    first = b"" if path.suffix.lower() in (".xlsx", ".xlsm") else read_table(path).partition(b"\n")[0]
+    first = b"" if path.suffix.lower() in WORKBOOKS else read_table(path).partition(b"\n")[0]
     if not first.startswith((b"#", b"\xef\xbb\xbf#")):
         return Words.same(path.name)
-    zh, _, en = _decoded(first, path.name).lstrip("#").strip().partition(" / ")
+    zh, _, en = decoded(first, path.name, TableError).lstrip("#").strip().partition(" / ")
     return Words(zh.strip(), (en or zh).strip())
 
 
 def _lines(path: Path | Held) -> Lines:
-    if path.suffix.lower() in (".xlsx", ".xlsm"):
+    if path.suffix.lower() in WORKBOOKS:
         return ((n, [_cell(cell) for cell in row]) for n, row in rows_of_workbook(path))
     return _of_text(path)
 
 
 def _of_text(path: Path | Held) -> Lines:
-    text = _decoded(read_table(path), path.name)
+    text = decoded(read_table(path), path.name, TableError)
     rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
     first = max((line for _, line in rows[:3]), key=lambda line: max(map(line.count, _MARKS)), default="")
     mark = max(_MARKS, key=first.count)
@@ -183,29 +185,7 @@ def _separated(rows: list[tuple[int, str]], mark: str, path: Path | Held) -> Lin
             yield rows[min(cells.line_num, len(rows)) - 1][0], [_cell(cell) for cell in row]
     except csv.Error as error:
         line = rows[min(cells.line_num, len(rows)) - 1][0]
-        raise TableError(
-            Words(
-                f"{path.name}，第 {line} 行：无法读取（{error}）；是否有未闭合的引号？",
-                f"{path.name}, line {line}: it cannot be read ({error}); is there a quote that nothing closes?",
-            )
-        ) from None
-
-
-def _decoded(raw: bytes, name: str) -> str:
-    marked = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
-    if b"\0" in raw and not marked:
-        raise TableError(Words(f"{name} 不是文本表格；请另存为 CSV", f"{name} is no table of text; save it as CSV"))
-    for code in ("utf-16",) if marked else ("utf-8-sig", "gb18030"):
-        try:
-            return raw.decode(code)
-        except UnicodeDecodeError:
-            continue
-    raise TableError(
-        Words(
-            f"{name} 的编码既非 UTF-8 也非 GB 18030；请另存为 UTF-8 编码的 CSV",
-            f"{name} is neither UTF-8 nor GB 18030 text; save it as CSV in UTF-8",
-        )
-    )
+        raise unreadable(path.name, line, error, TableError) from None
 
 
 def _pointed(lines: list[tuple[int, list[str]]]) -> list[tuple[int, list[str]]]:

@@ -40,7 +40,7 @@ def _anothers(own: Sheet, cell: Mapping[str, str], names: Collection[str]) -> tu
             f"学号 {number} 的卷号是 {own.sheet}，此行却写 {sheet}",
             f"the sheet of {number} is {own.sheet}, and this row says {sheet}",
         )
-    if _bare(name) != _bare(own.student.name) and _bare(name) in names:
+    if name and _bare(name) != _bare(own.student.name) and _bare(name) in names:
         return "name", Words(
             f"学号 {number} 的姓名是 {own.student.name}，此行却写另一学生 {name}",
             f"{number} is {own.student.name}, and this row says {name}, who is another student",

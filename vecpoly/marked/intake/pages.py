@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile, ZipFile
+from zipfile import ZipFile
 
-from ...batch.roster import decoded
 from ...errors import Place, TableError
-from ...limits import TABLE_BYTES
-from ...words import Words
+from ...tables.files import bytes_of
+from ...tables.texts import decoded, separated
+from ...tables.workbooks import WORKBOOKS, reading
 
 CELL_LETTERS = 200  # of a cell that are kept
 
@@ -37,40 +36,30 @@ class Page:
 
 def pages(path: Path) -> list[Page]:
     """All pages of a workbook, or the one of a CSV file. Raises TableError where it is none, OSError."""
-    if path.stat().st_size > TABLE_BYTES:
-        raise TableError(
-            Words(f"{path}：文件过大；请分成几份", f"{path}: too large for an answer file; split it"), code="too-large"
-        )
-    if path.suffix.lower() in (".xlsx", ".xlsm"):
-        return list(_workbook(path))
-    return [Page(str(path), "", tuple(_csv(path)))]
+    data = bytes_of(path, TableError)
+    if path.suffix.lower() in WORKBOOKS:
+        return list(_workbook(str(path), data))
+    return [Page(str(path), "", tuple(_csv(str(path), data)))]
 
 
-def _workbook(path: Path) -> Iterator[Page]:
+def _workbook(name: str, data: bytes) -> Iterator[Page]:
     from openpyxl import load_workbook
 
-    try:
-        merges = _has(path, b"<mergeCell ")
-        book = load_workbook(path, read_only=not merges, data_only=True)
-        written = load_workbook(path, read_only=True) if _has(path, b"<f>", b"<f ") else book
+    with reading(name, data, TableError):
+        merges = _has(data, b"<mergeCell ")
+        book = load_workbook(BytesIO(data), read_only=not merges, data_only=True)
+        reckons = _has(data, b"<f>", b"<f ")
+        written = load_workbook(BytesIO(data), read_only=True) if reckons else book
         for sheet, formulas in zip(book.worksheets, written.worksheets, strict=True):
             rows = [tuple(_text(cell) for cell in row) for row in sheet.iter_rows(values_only=True)]
             if written is not book:
                 rows = list(map(_reckoned, rows, formulas.iter_rows(values_only=True)))
-            yield Page(str(path), sheet.title, tuple(rows), tuple(_below(sheet)) if merges else ())
-    except (BadZipFile, KeyError, ValueError, IndexError) as error:
-        raise TableError(
-            Words(
-                f"{path}：不是 XLSX 工作簿（{error}）；请另存为 XLSX 或 CSV",
-                f"{path}: no XLSX workbook ({error}); save it again as XLSX or CSV",
-            ),
-            code="no-workbook",
-        ) from None
+            yield Page(name, sheet.title, tuple(rows), tuple(_below(sheet)) if merges else ())
 
 
-def _has(path: Path, *signs: bytes) -> bool:
+def _has(data: bytes, *signs: bytes) -> bool:
     """Whether a worksheet has one of these elements: formulas, merged cells."""
-    with ZipFile(path) as parts:
+    with ZipFile(BytesIO(data)) as parts:
         sheets = [name for name in parts.namelist() if name.startswith("xl/worksheets/")]
         return any(sign in parts.read(name) for name in sheets for sign in signs)
 
@@ -88,18 +77,10 @@ def _reckoned(row: tuple[str, ...], formulas: tuple[object, ...]) -> tuple[str, 
     return tuple(_text(one) if not text and str(one).startswith("=") else text for text, one in pairs)
 
 
-def _csv(path: Path) -> Iterator[tuple[str, ...]]:
-    text = decoded(path.read_bytes())
-    if text is None:
-        raise TableError(
-            Words(
-                f"{path}：既不是 UTF-8 也不是 GB18030；请另存为 UTF-8",
-                f"{path}: neither UTF-8 nor GB18030; save it as UTF-8",
-            ),
-            code="encoding",
-        )
+def _csv(name: str, data: bytes) -> Iterator[tuple[str, ...]]:
+    text = decoded(data, name, TableError)
     mark = max("\t;,", key=text.partition("\n")[0].count)
-    for row in csv.reader(io.StringIO(text), delimiter=mark):
+    for row in separated(text, mark, name, TableError):
         yield tuple(cell[:CELL_LETTERS].removeprefix("'") for cell in row)
 
 

@@ -69,7 +69,10 @@ def _cells(text: str, name: str) -> list[list[str]]:
     """Rows of two cells, the header first; empty lines and those that begin with # are left out."""
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     mark = next((mark for mark in _MARKS if lines and mark in lines[0]), ",")
-    rows = [[cell.strip() for cell in row] for row in csv.reader(lines, delimiter=mark)]
+    try:
+        rows = [[cell.strip() for cell in row] for row in csv.reader(lines, delimiter=mark)]
+    except csv.Error as error:
+        raise FaultError(Words(f"{name} 无法读取（{error}）", f"{name} cannot be read ({error})")) from None
     if len(rows) > limits.TABLE_ROWS:
         raise FaultError(
             Words(
