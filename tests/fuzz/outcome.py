@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import traceback
 from dataclasses import dataclass
 from enum import StrEnum
@@ -28,13 +29,19 @@ class Outcome:
 
 
 def of_file(path: Path, report: bool = False) -> Outcome:
-    """Load and solve a damaged problem file, or an assignment; `report`: set its report too."""
+    """Load and solve a damaged problem file, or an assignment; `report`: set its report too. A search is run."""
     from vecpoly.problem.assignment import is_assignment, load_assignment
     from vecpoly.problem.load import load
     from vecpoly.report.document import report_bytes
+    from vecpoly.search.run import run
+    from vecpoly.search.spec import load_search
     from vecpoly.solution import solve
 
     def act() -> None:
+        if re.search(rb"(?m)^search:", path.read_bytes()):
+            search, spec, _ = load_search(path)
+            run(search, path.stem, spec.title, count=1000)
+            return
         problems = load_assignment(path).problems if is_assignment(path) else (load(path),)
         for problem in problems[:2]:
             solution = solve(problem, repeats=20)

@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from vecpoly.cli.app import app
-from vecpoly.errors import FaultError, ProblemFileError
+from vecpoly.errors import ProblemFileError, VecpolyError
 from vecpoly.problem.load import load
 from vecpoly.problem.values.made import problem
 from vecpoly.search.path import PathSearch
@@ -67,7 +67,7 @@ def test_what_is_found_does_not_depend_on_the_number_of_processes() -> None:
 
 def test_a_curve_that_no_short_linkage_can_follow_is_refused() -> None:
     line = tuple(complex(x) for x in np.linspace(-0.05, 0.05, 9))
-    with pytest.raises(FaultError, match="none of 5000 candidates"):
+    with pytest.raises(VecpolyError, match="none of 5000 candidates"):
         run(PathSearch(points=line, closed=False, gamma=0.5, longest=0.001), "line", NAME, count=5000)
 
 
@@ -126,3 +126,17 @@ def test_a_place_that_cannot_be_written_to_is_refused_before_the_search(
     done = CliRunner().invoke(app, ["search", str(path), "-o", str(tmp_path / output)])
     assert done.exit_code == 2 and said in " ".join(done.output.split()), done.output
     assert path.read_text(encoding="utf-8") == GOOD
+
+
+def test_a_search_that_finds_nothing_is_refused_in_words(tmp_path: Path) -> None:
+    """It ended in a traceback."""
+    file = tmp_path / "far.yaml"
+    file.write_text(
+        "title: Far\nsearch: path\ncandidates: 1000\n"
+        'data: {points: ["(-50, 0) mm", "(-20, 0) mm", "(20, 0) mm", "(50, 0) mm"], closed: no, gamma_min: 30 deg, longest: 1 mm}\n',
+        encoding="utf-8",
+    )
+    for lang, said in (("en", "far: none of 1000 candidates fulfils what is asked"), ("zh", "far：1000 个候选中没有")):
+        done = CliRunner().invoke(app, ["search", str(file), "-j", "1", "--lang", lang])
+        assert done.exit_code == 2 and isinstance(done.exception, SystemExit)
+        assert said in " ".join(done.output.split())

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import FaultError, MissingPackageError
+from ..errors import MissingPackageError, VecpolyError
 from ..foundation.running.spread import spread
 from ..problem.problem import Problem
 from ..problem.values.made import problem as made
@@ -49,16 +49,16 @@ class Found:
 def run(
     search: Search, name: str, title: Words, *, count: int, seed: int = 0, jobs: int = 1, watch: Watch = iter
 ) -> Found:
-    """Search among so many candidates. Raises FaultError where none of them is a linkage that does it at all."""
+    """Search among so many candidates. Raises VecpolyError where none of them is a linkage that does it at all."""
     blocks = [Block(search, min(BLOCK, count - at), (seed, i)) for i, at in enumerate(range(0, count, BLOCK))]
     kept = [one() for one, _ in zip(spread(scored, blocks, jobs), watch(blocks), strict=True)]
     scores, places = (np.concatenate(parts) for parts in zip(*kept, strict=True))
     order = np.argsort(scores, kind="stable")[:KEPT]
     if not len(order) or not np.isfinite(scores[order[0]]):
-        raise FaultError(
+        raise VecpolyError(
             Words(
-                f"{count} 个候选中没有一个能满足条件；请放宽要求，或增加候选数",
-                f"none of {count} candidates fulfils what is asked; ask for less, or try more of them",
+                f"{name}：{count} 个候选中没有一个能满足条件；请放宽要求，或增加候选数",
+                f"{name}: none of {count} candidates fulfils what is asked; ask for less, or try more of them",
             ),
             code="none-found",
         )
@@ -105,7 +105,7 @@ def candidates(search: Search, count: int, random: np.random.Generator) -> Reals
         found = np.concatenate([found, x[search.possible(x)]])
         if len(found) >= count:
             return found[:count]
-    raise FaultError(
+    raise VecpolyError(
         Words("几乎没有符合条件的机构；请放宽要求", "hardly any linkage is of the kind asked for; ask for less"),
         code="none-found",
     )
