@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
@@ -36,7 +37,7 @@ rubric: {velocity: {scale: 1, drawn: 5, values: 1, rates: 1, equation: 2}, other
 points: {3-9: {v_E: {method: 2, accuracy: 1.2}, omega_3: {accuracy: 1, sense: 1}}}
 """
 _GRADED = "grade hw {answers} -o out --no-feedback -j 1 --lang en"
-_ANSWERS = ("a.csv", "long.csv", "a.xlsx", "a.yaml", "a.json")
+_ANSWERS = ("row.csv", "a.csv", "long.csv", "a.xlsx", "a.yaml", "a.json")
 _DRAWINGS: Mapping[str, Callable[..., bytes]] = {"d.dxf": as_dxf, "d.svg": as_svg, "d.pdf": as_pdf, "d.ggb": as_ggb}
 FILES = (
     "roster.csv", "roster.xlsx", "profile.yaml", "register.json", "rules.yaml", "marks.json", *_ANSWERS, *_DRAWINGS,
@@ -66,9 +67,18 @@ def of_class(task: str) -> Outcome:
 def _damaged(rng: np.random.Generator, name: str) -> bytes:
     """Texts as problem files are damaged, in one student's row alone now and then; all others byte by byte."""
     good = good_files()[name]
+    if name == "row.csv":
+        return _one_row_damaged(rng, good)
     if name.endswith((".xlsx", ".pdf", ".ggb")):
         return damaged_bytes(rng, good)
     return mutant(rng, [good.decode()]).encode("utf-8", "surrogatepass")
+
+
+def _one_row_damaged(rng: np.random.Generator, good: bytes) -> bytes:
+    """What one student wrote is damaged, in one line as before."""
+    head, units, first, second, third = good.decode().splitlines()
+    damaged = re.sub(r'[\r\n"\0]', "", mutant(rng, [second.replace(",", ", ")]))
+    return "\n".join([head, units, first, damaged, third]).encode("utf-8", "surrogatepass")
 
 
 def _marked(folder: Path, name: str) -> Outcome:
@@ -78,7 +88,8 @@ def _marked(folder: Path, name: str) -> Outcome:
     with contextlib.chdir(folder):
         result = CliRunner().invoke(app, line.split(), prog_name="vecpoly")
     said = wrong_end(result) or spoilt(folder, before, result.exit_code)
-    said = said or (_lost(folder, name) if result.exit_code == 0 else "")
+    if not said and (folder / "out" / "marks.json").exists():
+        said = _lost(folder, name)
     return Outcome(End.TRACEBACK, said) if said else Outcome(End.REFUSED if result.exit_code else End.SOLVED)
 
 
@@ -112,6 +123,8 @@ def _lost(folder: Path, name: str) -> str:
     missing = [one for one in NUMBERS if one not in [student["number"] for student in marks]]
     if missing and name != "register.json":
         return f"{missing[0]} is not among the marks"
+    if name == "row.csv" and (other := [one for one in (marks[0], marks[2]) if one["total"] != one["worth"]]):
+        return f"{other[0]['number']} has {other[0]['total']} for another's row"
     odd = [one for one in marks if not 0 <= one["total"] <= one["worth"] + 1e-6 < 1e6]
     return f"{odd[0]['total']} points of {odd[0]['worth']}" if odd else ""
 
@@ -139,6 +152,7 @@ def good_files() -> Mapping[str, bytes]:
         "rules.yaml": RULES.encode(),
         "marks.json": marks,
         "a.csv": cells,
+        "row.csv": cells,
         "long.csv": "\n".join(map(",".join, [("学号", "题号", "量", "答案"), *long])).encode(),
         "a.xlsx": _filled_in(rows),
         "a.yaml": json.dumps(documents, ensure_ascii=False, indent=1).encode(),

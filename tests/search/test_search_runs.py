@@ -133,7 +133,8 @@ def test_a_search_that_finds_nothing_is_refused_in_words(tmp_path: Path) -> None
     file = tmp_path / "far.yaml"
     file.write_text(
         "title: Far\nsearch: path\ncandidates: 1000\n"
-        'data: {points: ["(-50, 0) mm", "(-20, 0) mm", "(20, 0) mm", "(50, 0) mm"], closed: no, gamma_min: 30 deg, longest: 1 mm}\n',
+        'data: {points: ["(-50, 0) mm", "(-20, 0) mm", "(20, 0) mm", "(50, 0) mm"], '
+        "closed: no, gamma_min: 30 deg, longest: 1 mm}\n",
         encoding="utf-8",
     )
     for lang, said in (("en", "far: none of 1000 candidates fulfils what is asked"), ("zh", "far：1000 个候选中没有")):
