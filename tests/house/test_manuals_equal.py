@@ -82,4 +82,4 @@ def test_the_manuals_of_a_class_have_the_same_files_options_and_commands() -> No
     assert blocks(en) == blocks(zh) and len(blocks(en)) == 3
     assert tables(en) == tables(zh) and headings(en) == headings(zh)
     commands = [re.findall(r"^    (vecpoly [^#\n]*?) *(?:#|$)", text, re.M) for text in (en, zh)]
-    assert commands[0] == commands[1] and len(commands[0]) == 10
+    assert commands[0] == commands[1] and len(commands[0]) == 11

@@ -168,7 +168,17 @@ HELP = {
         "只有一种差错能解释时说明缘由。\n\n退出码：0 全部相符，1 有错误，2 无法核对。"
     ),
     "Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and "
-    "some variants.": ("试一试题目的 vary 和 gate：合格的比例、不合格的原因、降为连带评分的量，并列出几组数据。"),
+    "some variants.\n\nWith --propose, ranges are found for problems that have none: numbers that the text does not "
+    "tell, in round steps, as many of them as a class needs. -o HW.yaml writes the assignment for 'vecpoly class'.": (
+        "试一试题目的 vary 和 gate：合格的比例、不合格的原因、降为连带评分的量，并列出几组数据。\n\n"
+        "用 --propose 为没有 vary 的题目给出取值范围：题目正文未写出的数据，按整步长，够全班使用为止。"
+        "-o HW.yaml 写出供 vecpoly class 使用的作业。"
+    ),
+    "Find ranges for problems that have none: an assignment to start from.": (
+        "为没有 vary 的题目给出取值范围，作为作业的起点。"
+    ),
+    "How many students the proposed ranges shall tell apart.": ("给出的范围应能区分的学生数。"),
+    "The assignment to write, YAML.": ("要写出的作业（YAML）。"),
     "Give everybody on a roster own numbers: question and solution PDFs, register, key, answers form, "
     "Moodle questions.\n\nKilled at any moment, it goes on where it was when it is started again.": (
         "给名单上的每个人一组数据：题目与解答 PDF、登记表、答案键、答案录入表、Moodle 题目。\n\n随时中断，"
@@ -200,7 +210,7 @@ HELP = {
     "Also a table with the columns of another platform, as this YAML file says.": (
         "另按此 YAML 文件写出其他平台所需的表。"
     ),
-    "A problem or an assignment with `vary`.": ("含 vary 的题目或作业。"),
+    "Problems or assignments with `vary`.": ("含 vary 的题目或作业。"),
     "How many variants to draw.": ("列出几组数据。"),
     "Another text gives other numbers.": ("换一个文本就换一批数据。"),
     "The problems, and answers such as v_D=0.49.": ("题目，以及 v_D=0.49 之类的答案。"),
