@@ -202,3 +202,20 @@ def test_whole_numbers_of_a_program_are_teeth_drivers_and_firing_orders(teeth: A
     engine = load("engine-four")
     order = [int(number) for number in engine.data["data"]["order"]]
     assert problem(engine.data | {"data": engine.data["data"] | {"order": order}}).subject == engine.subject
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"links": {"1": {"AB": "x" * 5000}}}, "links.1.AB: 5000 characters where at most 200"),
+        ({"statement": {"zh": "文" * 5000, "en": "text"}}, "statement.zh: 5000 characters where at most 4000"),
+        ({"links": {"x" * 5000: {"AB": 1}}}, "links: 5000 characters where at most 200"),
+        ({"find": ["v_B"] * 300}, "find: 300 entries where at most 200"),
+        ({"frame": {f"P{n}": (n, 0) for n in range(300)}}, "frame: 300 entries where at most 200"),
+    ],
+)
+def test_data_are_no_longer_than_a_file_may_be(change: dict[str, object], said: str) -> None:
+    """A message repeated whatever was handed in, all of it."""
+    with pytest.raises(ArgumentError, match=re.escape(said)) as refused:
+        problem(FOUR_BAR | change)
+    assert "最多" in refused.value.words.zh and len(str(refused.value)) < 120

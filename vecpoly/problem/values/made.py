@@ -16,11 +16,12 @@ from ..problem import Problem
 from ..reach import Reach, Resolver
 from ..text.characters import refuse_unwanted
 from ..text.numbers import as_pair, as_text, is_number
-from ..text.source import Tree, Value
+from ..text.source import PROSE, Tree, Value
 from .parameters import slots
 from .written import text_of
 
 Data = Mapping[Any, Any]
+_LETTERS, _ENTRIES = Words("个字符", "characters"), Words("项", "entries")
 
 
 def problem(data: Data, *, name: str = "<data>", resolver: Resolver | None = None) -> Problem:
@@ -72,7 +73,7 @@ def build_mechanism(
 
 def _texts(data: Data, name: str) -> dict[str, Value]:
     """The data as a file holds them: every value a text."""
-    plain: dict[str, Value] = _plain(data, name, 0)
+    plain: dict[str, Value] = _plain(data, name, ())
     for slot in list(slots(plain)):
         *above, last = slot.path
         holder: Any = plain
@@ -86,14 +87,15 @@ def _texts(data: Data, name: str) -> dict[str, Value]:
     return said
 
 
-def _plain(value: Any, name: str, depth: int) -> Any:
-    """Mappings, lists, texts and numbers; raises ArgumentError for anything else."""
-    if depth > limits.DEPTH:
+def _plain(value: Any, name: str, path: tuple[str, ...]) -> Any:
+    """Mappings, lists, texts and numbers; raises ArgumentError for anything else, and for what is too long."""
+    if len(path) > limits.DEPTH:
         raise ArgumentError(
             Words("嵌套过深；题目只有四层", "nested too deeply; a problem has four levels"), code="too deep"
         )
     match value:
         case str():
+            _counted(len(value), limits.PROSE if PROSE.intersection(path) else limits.SCALAR, path, _LETTERS)
             refuse_unwanted(value, name)
             return value
         case bool():
@@ -101,9 +103,12 @@ def _plain(value: Any, name: str, depth: int) -> Any:
         case Words():
             return {"zh": value.zh, "en": value.en}
         case Mapping():
-            return {str(key): _plain(item, name, depth + 1) for key, item in value.items()}
+            _counted(len(value), limits.ENTRIES, path, _ENTRIES)
+            _counted(max((len(str(key)) for key in value), default=0), limits.SCALAR, path, _LETTERS)
+            return {str(key): _plain(item, name, (*path, str(key))) for key, item in value.items()}
         case list() | tuple():
-            return [_plain(item, name, depth + 1) for item in value]
+            _counted(len(value), limits.ENTRIES, path, _ENTRIES)
+            return [_plain(item, name, (*path, str(at))) for at, item in enumerate(value)]
         case _ if value is None or is_number(value) or isinstance(value, complex):
             return value
     raise ArgumentError(
@@ -113,6 +118,19 @@ def _plain(value: Any, name: str, depth: int) -> Any:
         ),
         code="kind",
     )
+
+
+def _counted(count: int, most: int, path: tuple[str, ...], what: Words) -> None:
+    """Raise ArgumentError for more than a problem file may hold there."""
+    if count > most:
+        at = ".".join(path)
+        raise ArgumentError(
+            Words(
+                f"{at}：有 {count} {what.zh}，最多 {most} {what.zh[0]}",
+                f"{at}: {count} {what.en} where at most {most} are possible",
+            ),
+            code="too-long",
+        )
 
 
 def _said(value: Any) -> Any:
