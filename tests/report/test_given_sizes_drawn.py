@@ -100,3 +100,20 @@ def test_the_radii_of_weights_and_the_angles_of_those_that_are_not_at_nought_sta
     for i, trial in enumerate(device.trials, 1):
         symbol = f"θ_{{t{i}}}" if len(device.trials) > 1 else "θ_t"
         assert not trial.at.si or angles[symbol] == pytest.approx(trial.at.si % (2 * pi)), symbol
+
+
+@pytest.mark.parametrize("name", ["engine-single", "engine-single-best"])
+def test_an_engine_has_its_sizes_and_the_rod_s_centre_of_mass(name: str) -> None:
+    figure = sketch(name)
+    at = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
+    assert {"r", "l", "r_c", "S_2"} <= set(at)
+    assert abs(at["S_2"] - at["B"]) * figure.scale.value == pytest.approx(0.060, rel=1e-4)
+
+
+def test_the_line_of_an_offset_guide_bar_has_its_way_from_the_pivot() -> None:
+    figure = sketch("8-3c")
+    assert "e" in letters(figure) and any(size == pytest.approx(0.023, rel=1e-4) for size in sizes(figure))
+
+
+def test_the_offset_of_a_slider_has_one_name() -> None:
+    assert "e" in letters(sketch("8-3b")) and "y_C" not in letters(sketch("8-3b"))

@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from math import pi
 
 from ...board.construction import Figure
-from ...board.paper.marks import Arc, Mark, Point, Role, Segment, Vector
+from ...board.paper.marks import Arc, Dot, Ground, Mark, Point, Role, Segment, Vector
 from ...devices.balancing.engine import InlineEngine
 from ...devices.balancing.field import FieldBalancing
+from ...devices.balancing.shaking import ShakingForce
 from ...devices.cams.cam import Cam
 from ...devices.eccentric_clamp import EccentricClamp
-from .lines import AXIS, angle, radius, span
+from .lines import AXIS, angle, letter, radius, span
 
 _BETWEEN, _APART = (0.2 * pi, 0.8 * pi, -0.2 * pi, -0.8 * pi, 0.4 * pi), 0.25  # rad: of radii; from a weight
 PRESSED = 9.0  # mm: the arrow of the force on the work
@@ -54,6 +55,18 @@ def field(device: FieldBalancing, figure: Figure) -> Iterator[Mark]:
 
 def _centre_line(end: complex) -> Mark:
     return Segment(a=0j, b=end, role=Role.CENTRE, step=1)
+
+
+def shaking(device: ShakingForce, figure: Figure) -> Iterator[Mark]:
+    """r, l and r_c beside the lines that they measure, and the rod's centre of mass, which data give."""
+    spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label}
+    pivot = next(mark.at for mark in figure.marks if isinstance(mark, Ground))
+    for symbol, a, b in (("r", pivot, spots["B"]), ("l", spots["B"], spots["C"]), ("r_c", pivot, spots["m_c"])):
+        yield letter((a + b) / 2, symbol)
+    share = device.BS2.si / device.l.si
+    centre = spots["B"] + share * (spots["C"] - spots["B"])
+    if 0.0 < share < 1.0:
+        yield Point(at=centre, label="S_2", dot=Dot.MASS, step=1)
 
 
 def engine(device: InlineEngine, figure: Figure) -> Iterator[Mark]:

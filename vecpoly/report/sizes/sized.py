@@ -9,6 +9,7 @@ from ...board.paper.marks import Mark
 from ...designs.base import Design
 from ...devices.balancing.engine import InlineEngine
 from ...devices.balancing.field import FieldBalancing
+from ...devices.balancing.shaking import ShakingForce
 from ...devices.cams.cam import Cam
 from ...devices.eccentric_clamp import EccentricClamp
 from ...foundation.slotted import replace
@@ -16,7 +17,7 @@ from ...mechanism.model import Mechanism
 from ...problem.problem import Problem
 from .coordinates_of_guides import coordinates_of_guides
 from .designs import design
-from .machines import cam, clamp, engine, field
+from .machines import cam, clamp, engine, field, shaking
 from .offsets import mechanism
 from .radii import radii
 from .set_off import set_off
@@ -33,6 +34,8 @@ def _sizes(problem: Problem, figure: Figure) -> Iterator[Mark]:
             yield from clamp(device, figure)
         case InlineEngine() as device:
             yield from engine(device, figure)
+        case ShakingForce() as device:
+            yield from shaking(device, figure)
         case FieldBalancing() as device:
             yield from field(device, figure)
         case Cam() as device:
