@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from cmath import phase
 from collections.abc import Iterator
 from functools import cache
 from math import pi
@@ -14,6 +15,7 @@ from tests.each import Later, each
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import AngleMark, Arc, Disc, GearMark, Point, Segment, Vector
 from vecpoly.devices.balancing.field import FieldBalancing
+from vecpoly.devices.balancing.rotor import Rotor
 from vecpoly.report.question.sketch import sketched
 
 IDS = Later(lambda: [name for name in ids() if given(name).acting is not None or given(name).given.data])
@@ -117,3 +119,18 @@ def test_the_line_of_an_offset_guide_bar_has_its_way_from_the_pivot() -> None:
 
 def test_the_offset_of_a_slider_has_one_name() -> None:
     assert "e" in letters(sketch("8-3b")) and "y_C" not in letters(sketch("8-3b"))
+
+
+@each(Later(lambda: [name for name in LIBRARY if isinstance(given(name).subject, Rotor)]))
+def test_the_arm_of_every_mass_of_a_rotor_has_the_letter_of_its_radius_at_its_middle(name: str) -> None:
+    rotor = given(name).subject
+    assert isinstance(rotor, Rotor)
+    views = [one for one in drawn(name).construction.figures if one.view.name == "end-view" and not one.name]
+    for view in views:
+        at = {mark.label: mark.at for mark in view.marks if isinstance(mark, Point)}
+        for which, mass in rotor.masses.items():
+            size = 0.0 if mass.r is None else mass.r.si / view.scale.value
+            if size > 10.0 and "at" not in mass.unknown:
+                turn = phase(at[f"r_{{{which}}}"] / at[f"m_{{{which}}}"])
+                assert abs(turn) < 1e-6 and 0.25 < abs(at[f"r_{{{which}}}"]) / size < 0.5, which
+    assert all(mass.r is None for mass in rotor.masses.values()) or views
