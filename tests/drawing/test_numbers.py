@@ -14,6 +14,7 @@ from vecpoly.board.paper.marks import (
     AngleMark,
     Arc,
     Block,
+    Disc,
     Dot,
     GearMark,
     LinkNumber,
@@ -175,3 +176,29 @@ def test_no_number_of_a_bar_stands_in_the_body_of_another_link_over_which_the_ba
             turns = [corner - label.centre for corner in plate.points]
             round_it = sum(cmath.phase(b / a) for a, b in zip(turns, (*turns[1:], turns[0]), strict=True))
             assert abs(round_it) < 1.0, label.centre
+
+
+@pytest.mark.parametrize("turn", [0.0, 1.1, 2.3, 3.9, 5.2])
+def test_the_number_of_a_roller_stands_outside_it_and_in_no_plate_that_carries_it(turn: float) -> None:
+    pin, size = 4 + 3j, 4.0
+    corners = tuple(pin + cmath.rect(1.0, turn) * z for z in (0j, 28 + 12j, 28 - 12j))
+    roller = Disc(centre=pin, radius=size, owner="link 3")
+    plate = Plate(points=corners, owner="link 4")
+    found = numbers(
+        plate, roller, Point(at=pin, label="F", dot=Dot.JOINT), LinkNumber(a=pin, b=pin, number="3", owner="link 3")
+    )
+    (number,) = found
+    shape = shapely.Polygon([(z.real, z.imag) for z in plate.points])
+    assert abs(number.centre - pin) > size and not shape.contains(shapely.Point(number.centre.real, number.centre.imag))
+
+
+def test_the_number_of_the_roller_stands_outside_the_rocker_that_carries_it_in_exercise_2_7() -> None:
+    sketch = next(one for one in drawn("2-7").figures(View.MECHANISM) if any(isinstance(m, Disc) for m in one.marks))
+    plates = [shapely.Polygon([(z.real, z.imag) for z in m.points]) for m in sketch.marks if isinstance(m, Plate)]
+    boxes = [one.rect for one in draw_figure(sketch, lang="en").items if isinstance(one, TextBox) and _reads(one, "3")]
+    (middle,) = [shapely.Point((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2) for box in boxes]
+    assert plates and not any(plate.contains(middle) for plate in plates)
+
+
+def _reads(box: TextBox, text: str) -> bool:
+    return "".join(part.text for part in box.box.items if isinstance(part, Glyphs)) == text

@@ -9,10 +9,17 @@ from vecpoly.devices.balancing.rotor import Rotor
 from vecpoly.problem.load import load, loads
 
 
-@pytest.mark.parametrize(("name", "radius"), [("planetary-sun-drives", "90 mm"), ("planet-drive", "40 mm")])
+@pytest.mark.parametrize(
+    ("name", "radius"), [("planetary-sun-drives", "$r_K$ = 90 mm"), ("planet-drive", "$r_H$ = 40 mm")]
+)
 def test_the_radius_of_a_fixed_wheel_is_a_datum(name: str, radius: str) -> None:
-    told = [datum for datum in load(name).given.lengths if f"$r$ = {radius}" in datum.of("zh")]
-    assert len(told) == 1 and f"$r$ = {radius}" in told[0].of("en")
+    told = [datum for datum in load(name).given.lengths if radius in datum.of("zh")]
+    assert len(told) == 1 and radius in told[0].of("en")
+
+
+def test_the_radii_of_two_fixed_wheels_have_two_names() -> None:
+    told = " ".join(datum.of("en") for datum in load("two-trains-one-sun").given.lengths)
+    assert "$r_K$ = 50 mm" in told and "$r_N$ = 66 mm" in told
 
 
 @pytest.mark.parametrize(

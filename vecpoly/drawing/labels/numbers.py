@@ -38,16 +38,17 @@ def under(a: complex, b: complex, deep: float, piece: Piece) -> Want:
 
 
 def number_of_link(mark: LinkNumber, piece: Piece, marks: tuple[Mark, ...], keep: float) -> Want:
-    """The number of a link: of a block beside its outline, of a disc in it or at its rim, of a plate in it, of a bar
-    beside its longest piece between two joints, not where that runs over the plate of another link."""
+    """The number of a link: of a block beside its outline, of a disc in it, of a roller beside it, of a plate in it, of
+    a bar beside its longest piece between two joints, not where that runs over the plate of another link."""
     a, b = mark.a, mark.b
     plates = [m for m in marks if isinstance(m, Plate)]
     if (own := next((m for m in plates if m.owner == mark.owner and _is_roomy(m)), None)) is not None:
         return _in_plate(own, piece)
     if abs(b - a) < NEAR:
-        discs = (m for m in marks if isinstance(m, Disc) and m.owner == mark.owner and abs(m.centre - a) > NEAR)
-        if (disc := next(discs, None)) is not None:
-            return _in_disc(disc, a, piece)
+        discs = (m for m in marks if isinstance(m, Disc) and m.owner == mark.owner)
+        if (disc := min(discs, key=lambda one: abs(one.centre - a), default=None)) is not None:
+            pinned = abs(disc.centre - a) < NEAR
+            return _outside_bodies(_at_roller(disc, piece), mark.owner, marks) if pinned else _in_disc(disc, a, piece)
         wheels = (m for m in marks if isinstance(m, GearMark) and m.owner == mark.owner and m.radius > SMALL)
         if (wheel := next(wheels, None)) is not None:
             return _at_rim(wheel, a, piece)
@@ -105,6 +106,14 @@ def _in_disc(disc: Disc, at: complex, piece: Piece) -> Want:
     feet = (at, *(disc.centre + share * out for share in RINGS for out in ring[:-1]))
     rim = tuple(disc.centre + out for out in ring)
     return Want((piece,), feet, (0j,) * len(feet), RESULT / 2, (at, at), thing=Thing.LINK, bow=rim)
+
+
+def _at_roller(roller: Disc, piece: Piece) -> Want:
+    """Outside a disc that is pinned in its middle, where its pin has its letter."""
+    out = tuple(cmath.rect(1.0, tau * (FIRST + k / AROUND)) for k in _both_ways(AROUND))
+    feet = tuple(roller.centre + roller.radius * u for u in out)
+    rim = tuple(roller.centre + cmath.rect(roller.radius, tau * k / CHORDS) for k in range(CHORDS + 1))
+    return Want((piece,), feet, out, RESULT / 2, (feet[0], feet[0]), thing=Thing.LINK, bow=rim, one_sided=True)
 
 
 def _at_rim(wheel: GearMark, at: complex, piece: Piece) -> Want:

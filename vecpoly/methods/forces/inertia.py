@@ -20,6 +20,7 @@ from ...words import Words
 from ..desk import POLE
 from ..kinematics.image import found_tip
 from .acting import Acting
+from .bodies.bars import bars_of, past_bars
 from .masses import masses, weight_force
 from .senses import TURN
 from .state import Statics
@@ -202,9 +203,11 @@ def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -
 
 
 def _draw_force(st: Statics, symbol: str, at: Points, along: Points) -> None:
-    """The line of action on the diagram, and the force on it (not to scale)."""
-    st.board.join(View.MECHANISM, at - ARROW * along, at, Role.DIRECTION)
-    st.board.arrow(View.MECHANISM, at, at + ARROW * along, Role.GIVEN, key=ascii_key(symbol), label=symbol)
+    """The line of action on the diagram, and the force on it (not to scale), past the bar along which it acts."""
+    start, way = complex(nominal(at)), complex(nominal(along))
+    tail = at + past_bars(start, start + ARROW * way, way, [*bars_of(st.board.marks(View.MECHANISM))]) * along
+    st.board.join(View.MECHANISM, at - ARROW * along, tail, Role.DIRECTION)
+    st.board.arrow(View.MECHANISM, tail, tail + ARROW * along, Role.GIVEN, key=ascii_key(symbol), label=symbol)
 
 
 def draw_arm(st: Statics, place: Place, symbol: str, s: Points, at: Points, along: Points) -> None:

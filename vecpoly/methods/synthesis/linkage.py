@@ -6,17 +6,18 @@ from __future__ import annotations
 from itertools import pairwise
 from math import tau
 
-from ...board.paper.marks import Dot, Role
+from ...board.paper.marks import Dot, Role, Segment
 from ...board.place import Place
 from ...board.strokes import spot
 from ...designs.verdict import Verdict
 from ...diagram.single import block, rail
 from ...diagram.single import pivot as ground
-from ...plane import Points, Reals
+from ...plane import Points, Reals, nominal
 from ...words import Words
 from .draft import SHEET, Draft
 
 Chain = tuple[Points, ...]
+ON = 0.3  # mm: so near to another bar, as an unsteady hand draws it, a bar lies on it
 HALF_BLOCK, BEYOND = 2.5, 9.0  # mm: from the middle of a block to its guide; how far the guide goes on
 
 
@@ -30,7 +31,33 @@ def drawn(draft: Draft, thick: Chain, *thin: Chain, verdict: Verdict = Verdict.V
 
 def _bars(draft: Draft, chain: Chain, role: Role) -> None:
     for a, b in pairwise(chain):
+        bar(draft, a, b, role)
+
+
+def bar(draft: Draft, a: Points, b: Points, role: Role) -> None:
+    """A bar; of a dashed one what is not dashed there yet: dashes over dashes look like a full line."""
+    if role is Role.LINK:
         draft.board.join(SHEET, a, b, role)
+        return
+    there = (mark for mark in draft.board.marks(SHEET) if isinstance(mark, Segment) and mark.role is role)
+    free, whole = [(0.0, 1.0)], abs(complex(nominal(b - a)))
+    for low, high in (_covered(mark, complex(nominal(a)), complex(nominal(b))) for mark in there):
+        if low >= high:
+            continue
+        free = [part for one, other in free for part in ((one, min(other, low)), (max(one, high), other))]
+        free = [part for part in free if (part[1] - part[0]) * whole > ON]
+    for low, high in free:
+        draft.board.join(SHEET, a if low == 0.0 else a + (b - a) * low, b if high == 1.0 else a + (b - a) * high, role)
+
+
+def _covered(mark: Segment, a: complex, b: complex) -> tuple[float, float]:
+    """From where to where (shares of its length) a bar lies on a line; nowhere where it runs beside it."""
+    if abs(b - a) < ON:
+        return 1.0, 0.0
+    ends = [(end - a) / (b - a) for end in (mark.a, mark.b)]
+    beside = any(abs(end.imag) * abs(b - a) > ON for end in ends)
+    low, high = sorted(end.real for end in ends)
+    return (1.0, 0.0) if beside or high <= low else (low, high)
 
 
 def pin(draft: Draft, letter: str, at: Points, dot: Dot = Dot.JOINT) -> Points:

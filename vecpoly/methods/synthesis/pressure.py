@@ -14,6 +14,7 @@ from ...diagram.single import pivot as ground
 from ...plane import Reals, nominal, unit
 from ...words import Words
 from .angles import marked, valued
+from .dimensions import offset as offset_drawn
 from .draft import Draft
 from .linkage import crank_circle, slider
 from .touching import on_guide
@@ -42,6 +43,7 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     c = board.locate(place, "C′", board.either(c))
     board.rule(place, guide, c)
     board.join(place, a, n, Role.CONSTRUCTION)
+    offset_drawn(draft, place, a, n)
     for one, other in ((a, b), (b, c)):
         board.join(place, one, other, Role.LINK)
     for letter, at in (("A", a), ("B′", b), ("C′", c)):

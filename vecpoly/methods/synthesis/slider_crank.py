@@ -18,6 +18,7 @@ from ...words import Words
 from ..devices.sketches.dimensions import dimension
 from .advance import theta_of
 from .arc_middle import MIRROR, by_arc
+from .dimensions import OVER, UNDER, stroke
 from .draft import RIGHT, SHEET, Draft
 from .eta import Eta, eta
 from .limits.judged import Limits, crank_and_coupler, limits_of, settled
@@ -26,8 +27,7 @@ from .pressure import greatest_pressure
 from .registry import design_method
 
 CORNER = 3.0  # mm: a right angle has room
-BEYOND, OVER = 7.0, 2.0  # mm: of the offset beside the circle; of lines beyond the dimension that they carry
-BELOW, UNDER, CLEAR = 4.0, 15.0, 3.5  # mm: of the stroke below the circle, below the guide at least; of its lines there
+BEYOND, BELOW = 7.0, 4.0  # mm: of the offset beside the circle; of the stroke below it
 
 
 @design_method(
@@ -53,18 +53,13 @@ def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     c2 = pin(draft, "C_2", board.lay_off(c1, 1 + 0j, draft.mm(design.H.si), key="H"))
     board.join(SHEET, c1, c2, Role.CENTRE)
     circle = eta(draft, (c1, c2), theta, 1)
-    _stroke(draft, (c1, c2), circle)
+    stroke(draft, (c1, c2), _below(circle))
     _solution(draft, design, (c1, c2), circle)
 
 
-def _stroke(draft: Draft, ends: tuple[Points, Points], circle: Eta) -> None:
-    """H between C₁ and C₂, below the circle."""
-    below = float(nominal(circle.radius)) - complex(nominal(circle.centre)).imag + BELOW
-    feet = [complex(nominal(end)) for end in ends]
-    levels = [end - 1j * max(below, UNDER) for end in feet]
-    for end, level in zip(feet, levels, strict=True):
-        draft.board.join(SHEET, end - 1j * CLEAR, level - 1j * OVER, Role.CONSTRUCTION)
-    dimension(draft, SHEET, levels[0], levels[1], "H")
+def _below(circle: Eta) -> float:
+    """How far below C₁C₂ the stroke stands clear of the circle (mm)."""
+    return max(float(nominal(circle.radius)) - complex(nominal(circle.centre)).imag + BELOW, UNDER)
 
 
 def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], circle: Eta) -> None:

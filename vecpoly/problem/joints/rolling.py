@@ -68,11 +68,12 @@ def read_rolling(text: str, bodies: Bodies) -> Rolling:
 
 
 def _fixed_wheel(link: str, point: str, centre: str, radius: str, *, inside: bool) -> Words:
-    """Its radius is a datum: it is no link that tells it."""
+    """Its radius is a datum, by the pitch point of which there may be several: it is no link that tells it."""
     what = Words("固定内齿轮", "fixed ring") if inside else Words("固定齿轮", "fixed gear")
     return Words(
-        f"{what.zh}（圆心 ${centre}$，与构件 {link} 切于 ${point}$）的节圆半径 $r$ = {radius}",
-        f"the {what.en} about ${centre}$, on which link {link} rolls at ${point}$, has the pitch radius $r$ = {radius}",
+        f"{what.zh}（圆心 ${centre}$，与构件 {link} 切于 ${point}$）的节圆半径 $r_{point}$ = {radius}",
+        f"the {what.en} about ${centre}$, on which link {link} rolls at ${point}$, has the pitch radius "
+        f"$r_{point}$ = {radius}",
     )
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...board.construction import Figure
-from ...board.paper.marks import AngleMark, Mark, Point, Role, Segment, TurnArrow
+from ...board.paper.marks import AngleMark, Mark, Point, Role, Segment, Slot, TurnArrow
 from ...designs.base import Design
 from ...designs.grashof import Grashof
 from ...designs.limits_found import CrankRockerLimits, GuideBarLimits, SliderCrankLimits
 from ...errors import AssemblyError
 from ...foundation.slotted import replace
 from ...problem.problem import Problem
+from ...problem.values.given import Given
 from ...problem.values.made import problem as made
 from ...solution import solve
 from ..picture import picture
@@ -33,8 +34,9 @@ def whole(problem: Problem, width: float, height: float) -> Figure | None:
     data = subject.built(_lengths(subject))
     title = {"zh": problem.title.zh, "en": problem.title.en}
     linkage = made({"id": problem.id, "title": title, **data})
+    unnamed = replace(linkage, given=Given(letters=linkage.given.letters, shapes=linkage.given.shapes))
     try:
-        drawn = picture(linkage, solve(linkage, repeats=0, precise=False).construction, width, height)
+        drawn = picture(unnamed, solve(linkage, repeats=0, precise=False).construction, width, height)
     except AssemblyError:  # a chain without a crank need not reach this position
         return None
     if drawn is None:
@@ -58,9 +60,16 @@ def _moves(mark: Mark) -> bool:
 
 
 def _offset(problem: Problem, figure: Figure) -> Iterator[Mark]:
-    """How far the guide of a slider lies below the pivot of its crank."""
+    """How far the guide of a slider lies below the pivot of its crank, or that of a bar beside its own pivot."""
     if isinstance(problem.subject, SliderCrankLimits) and problem.subject.offset:
         pivot = next(mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "A")
         slider = next(mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "C")
         yield Segment(a=complex(pivot.real - _BEFORE, slider.imag), b=slider, role=Role.CENTRE, step=1)
         yield from span(pivot, complex(pivot.real, slider.imag), "e", -_BEFORE + 0j)
+    if isinstance(problem.subject, GuideBarLimits) and problem.subject.offset:
+        pivot = next(mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label == "C")
+        slot = next(mark for mark in figure.marks if isinstance(mark, Slot))
+        along = (slot.b - slot.a) / abs(slot.b - slot.a)
+        foot = slot.a + along * (along.conjugate() * (pivot - slot.a)).real
+        yield Segment(a=foot, b=slot.a, role=Role.CENTRE, step=1)
+        yield from span(pivot, foot, "e")

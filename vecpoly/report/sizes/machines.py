@@ -7,12 +7,15 @@ from collections.abc import Iterator
 from math import pi
 
 from ...board.construction import Figure
-from ...board.paper.marks import Arc, Mark, Point, Role, Segment, Vector
+from ...board.paper.marks import Arc, Dot, Ground, Mark, Point, Role, Segment, Vector
 from ...devices.balancing.engine import InlineEngine
+from ...devices.balancing.field import FieldBalancing
+from ...devices.balancing.shaking import ShakingForce
 from ...devices.cams.cam import Cam
 from ...devices.eccentric_clamp import EccentricClamp
-from .lines import angle, radius, span
+from .lines import AXIS, angle, letter, radius, span
 
+_BETWEEN, _APART = (0.2 * pi, 0.8 * pi, -0.2 * pi, -0.8 * pi, 0.4 * pi), 0.25  # rad: of radii; from a weight
 PRESSED = 9.0  # mm: the arrow of the force on the work
 BELOW = 7.0  # mm from what is drawn to a dimension under it
 
@@ -33,6 +36,37 @@ def clamp(device: EccentricClamp, figure: Figure) -> Iterator[Mark]:
     yield from angle(0j, device.handle.si % (2 * pi), "θ_{l}", big + BELOW)
     yield from angle(0j, device.theta.si % (2 * pi), "θ_{O}", 0.55 * big)
     yield from angle(h, device.F.si % (2 * pi), "θ_{F}", BELOW)
+
+
+def field(device: FieldBalancing, figure: Figure) -> Iterator[Mark]:
+    """r_t of the trial weights and r_b of the correction, one line where they are alike, and θ_t of each weight."""
+    mm, names = figure.scale.value, dict[float, str]()
+    for name, size in (("r_t", device.trials[0].r.si), ("r_b", device.correct.r.si)):
+        names[size] = f"{names[size]}, {name}" if size in names else name
+    weights = [trial.at.si % (2 * pi) for trial in device.trials]
+    turns = [turn for turn in _BETWEEN if all(abs(cmath.phase(cmath.rect(1.0, turn - at))) > _APART for at in weights)]
+    for turn, (size, name) in zip(turns, names.items(), strict=False):
+        yield from radius(0j, size / mm, turn, name)
+    for i, at in enumerate(weights, 1):
+        if at:
+            yield _centre_line(cmath.rect(device.trials[i - 1].r.si / mm, at))
+            yield from angle(0j, at, f"θ_{{t{i}}}" if len(weights) > 1 else "θ_t", AXIS * (0.6 + 0.4 * i))
+
+
+def _centre_line(end: complex) -> Mark:
+    return Segment(a=0j, b=end, role=Role.CENTRE, step=1)
+
+
+def shaking(device: ShakingForce, figure: Figure) -> Iterator[Mark]:
+    """r, l and r_c beside the lines that they measure, and the rod's centre of mass, which data give."""
+    spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label}
+    pivot = next(mark.at for mark in figure.marks if isinstance(mark, Ground))
+    for symbol, a, b in (("r", pivot, spots["B"]), ("l", spots["B"], spots["C"]), ("r_c", pivot, spots["m_c"])):
+        yield letter((a + b) / 2, symbol)
+    share = device.BS2.si / device.l.si
+    centre = spots["B"] + share * (spots["C"] - spots["B"])
+    if 0.0 < share < 1.0:
+        yield Point(at=centre, label="S_2", dot=Dot.MASS, step=1)
 
 
 def engine(device: InlineEngine, figure: Figure) -> Iterator[Mark]:

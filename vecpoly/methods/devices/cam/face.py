@@ -12,13 +12,14 @@ from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import FARTHEST, NEAREST, REACH_BACK, REACH_RISE, RHO
 from ....devices.cams.cam import Cam
+from ....diagram.single import pivot
 from ....names import Named
 from ....plane import Points, dot, nominal
 from ....words import Words
 from ..bench import Bench
 from .diagram import place_of
 from .extremes import Spot, best, parting, reaching
-from .inversion import VIEW, Cut
+from .inversion import VIEW, Cut, draw_follower
 from .laws import lift
 from .pose import Pose, osculating, pose
 from .pressure import MOST_BENT, copied, lettered, posed
@@ -36,8 +37,8 @@ def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot:
     _shown(bench, place, cam, it)
     board.join(place, touch, centre, Role.DIRECTION)
     board.join(place, it.pole, centre, Role.DIRECTION)
-    for letter, at in (("O", 0j), ("P", it.pole), ("B", touch), ("K", centre)):
-        board.plot(place, at, letter, Dot.JOINT if letter == "O" else Dot.POINT)
+    for letter, at in (("P", it.pole), ("B", touch), ("K", centre)):
+        board.plot(place, at, letter, Dot.POINT)
     osculating_circle(board, place, centre, touch)
     ahead = float(nominal(dot(it.way, touch - centre))) >= 0
     rho = length(bench, RHO, place, centre, touch, "K B", 1 if ahead else -1)
@@ -55,10 +56,10 @@ def osculating_circle(board: Board, place: Pane, centre: Points, touch: Points) 
 def _shown(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
     """The guide or the arm, the face, OP."""
     board = bench.board
+    board.depict(place, pivot(0j, "O"))
+    draw_follower(board, cam, it, place)
     if cam.arm:
-        board.join(place, it.b, 2 * it.foot - it.b, Role.LINK)
         board.join(place, 0j, it.start, Role.CONSTRUCTION)
-        board.plot(place, it.start, "A", Dot.JOINT)
     else:
         board.join(place, 0j, it.b, Role.CENTRE)
         board.join(place, 2 * it.b - it.foot, 2 * it.foot - it.b, Role.LINK)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ....board.board import Board
-from ....board.construction import View
+from ....board.construction import Place, View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import PSI0, S0, polar, pressure, radius
 from ....devices.cams.cam import Cam
@@ -72,17 +72,17 @@ def _given(bench: Bench, cam: Cam) -> None:
         board.plot(VIEW, first.start, "C_0", Dot.POINT)
 
 
-def draw_follower(board: Board, cam: Cam, it: Pose) -> None:
+def draw_follower(board: Board, cam: Cam, it: Pose, place: Place = VIEW) -> None:
     """The follower as it stands there: its arm with the face or the roller, or its stem in the guide."""
-    mm = board.scale_of(VIEW).value
+    mm = board.scale_of(place).value
     if cam.arm and cam.follower.flat:
-        board.depict(VIEW, *face_arm(it.start, it.b, _along_face(cam, it, mm)))
+        board.depict(place, *face_arm(it.start, it.b, _along_face(cam, it, mm)))
     elif cam.arm:
-        board.depict(VIEW, *arm(it.start, it.b, cam.follower.radius / mm))
+        board.depict(place, *arm(it.start, it.b, cam.follower.radius / mm))
     else:
         assert cam.r0
         face = FACE * cam.r0.si / mm if cam.follower.flat else 0.0
-        board.depict(VIEW, *stem(it.b, it.way, cam.follower.radius / mm, face))
+        board.depict(place, *stem(it.b, it.way, cam.follower.radius / mm, face))
 
 
 def _at(bench: Bench, cam: Cam, phi: float, piece: Piece) -> Pose:

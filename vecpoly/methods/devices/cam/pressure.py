@@ -12,6 +12,7 @@ from ....board.construction import Pane, Scale, View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import ALPHA, ALPHA_BACK, ALPHA_RISE
 from ....devices.cams.cam import Cam
+from ....diagram.single import pivot
 from ....foundation.slotted import replace
 from ....names import Named
 from ....plane import Reals, nominal
@@ -21,7 +22,7 @@ from ..bench import Bench
 from ..inclined import between
 from .diagram import place_of
 from .extremes import Spot, best, slanting
-from .inversion import Cut
+from .inversion import Cut, draw_follower
 from .laws import lift
 from .pose import Pose, pose
 from .read.readings import acute
@@ -112,18 +113,22 @@ def detail(board: Board, cam: Cam) -> Scale:
 
 
 def copied(bench: Bench, place: Pane, cam: Cam, cuts: Sequence[Cut], spot: Spot, *, edge: bool = False) -> None:
-    """The part of the pitch curve, or of the profile, near the place."""
+    """The part of the pitch curve near the place, and of the profile on which its roller runs; or of the profile."""
     near = [cut for cut in cuts if abs((cut.station.phi - spot.phi + pi) % (2 * pi) - pi) < NEAR]
     near.sort(key=lambda cut: (cut.station.phi - spot.phi + pi) % (2 * pi))
     times = bench.board.scale_of(View.MECHANISM).value / bench.board.scale_of(place).value
     role = Role.HIDDEN if cam.follower.roller else Role.RESULT  # as on the sheet of the whole cam
     bench.board.curve(place, [times * (cut.touch if edge else cut.pose.b) for cut in near], role)
+    if cam.follower.roller:
+        bench.board.curve(place, [times * cut.touch for cut in near], Role.RESULT)
 
 
 def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
-    """O, P, B, the guide or the arm, the normal."""
+    """O and P, the follower on its pivot or in its guide, with its roller, and the normal."""
     board = bench.board
-    board.join(place, it.start, it.b, Role.LINK if cam.arm else Role.CENTRE)
+    if not cam.arm:
+        board.join(place, it.start, it.b, Role.CENTRE)
+    draw_follower(board, cam, it, place)
     if it.near:
         board.join(place, 0j, it.pole, Role.CONSTRUCTION)
     else:
@@ -136,10 +141,8 @@ def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
     if cam.arm:
         board.join(place, 0j, it.start, Role.CONSTRUCTION)
     board.join(place, it.sighted, it.b - it.normal * OVER, Role.DIRECTION)
-    board.plot(place, 0j, "O", Dot.JOINT)
-    if cam.arm:
-        board.plot(place, it.start, "A", Dot.JOINT)
+    board.depict(place, pivot(0j, "O"))
     if it.near and abs(complex(nominal(it.pole))) > 1.0:
         board.plot(place, it.pole, "P", Dot.POINT)
-    board.plot(place, it.b, "B", Dot.POINT)
+    board.plot(place, it.b, "B", Dot.NONE if cam.follower.roller else Dot.POINT)
     board.plot(place, it.b - it.normal * OVER, "n", Dot.NONE)

@@ -14,6 +14,7 @@ from ....plane import nominal
 from ....words import Words
 from ..acting import Acting
 from ..state import Statics
+from .bars import Bar, past_bars
 
 LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
 CLEAR = 6.0  # mm between arrows: more is not better
@@ -34,6 +35,7 @@ class Arrow:
     end: complex
     symbol: str
     far: bool = False  # not at its point but farther out on the line
+    presses: bool = False  # ends at its point, or on the line before it
     amiss: bool = False  # pulling though a neighbour can only press, or otherwise than on the kinematic diagram
 
     @property
@@ -43,15 +45,23 @@ class Arrow:
 
 
 def place_arrows(
-    forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = (), pulling: Collection[str] = ()
+    forces: Sequence[Acting],
+    points: Sequence[complex],
+    pressing: Collection[str] = (),
+    pulling: Collection[str] = (),
+    *,
+    bars: Sequence[Bar] = (),
 ) -> list[Arrow]:
-    """All arrows of one body, as far from each other and from the body as their lines allow;
+    """All arrows of one body, as far from each other and from the body as their lines allow, and on none of its bars;
     `pressing`: those that rather end at their point; `pulling`: those that rather begin there."""
     shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
     if not shown:
         return []
     largest = max(abs(complex(nominal(f.vector))) for f in shown)
-    options = [_options(f, largest, _rather(f.named.symbol, pressing, pulling)) for f in shown]
+    options = [
+        [_off_bars(one, bars) for one in _options(f, largest, _rather(f.named.symbol, pressing, pulling))]
+        for f in shown
+    ]
     body = np.array(
         [points[0]]
         if len(points) == 1
@@ -111,15 +121,23 @@ def _options(force: Acting, largest: float, presses: bool | None) -> tuple[Arrow
     out, symbol = u * (LENGTH + 4.0), force.named.symbol
     near = (
         Arrow(at, at + u * length, symbol, amiss=presses is True),
-        Arrow(at - u * (length + GAP), at - u * GAP, symbol, amiss=presses is False),
+        Arrow(at - u * (length + GAP), at - u * GAP, symbol, presses=True, amiss=presses is False),
     )
     return (
         *near,
         *(
-            Arrow(a.start + side * out, a.end + side * out, symbol, True, a.amiss)
+            replace(a, start=a.start + side * out, end=a.end + side * out, far=True)
             for a, side in zip(near, (1, -1), strict=True)
         ),
     )
+
+
+def _off_bars(arrow: Arrow, bars: Sequence[Bar]) -> Arrow:
+    """The same farther out, past the bar on which it lies: one that ends at its point the way it comes from."""
+    way = (arrow.end - arrow.start) / abs(arrow.end - arrow.start)
+    out = -way if arrow.presses else way
+    by = past_bars(arrow.start, arrow.end, out, bars)
+    return replace(arrow, start=arrow.start + by * out, end=arrow.end + by * out, far=True) if by else arrow
 
 
 def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]:

@@ -24,9 +24,11 @@ from ..couples import couples_on
 from ..inertia import SHORT, draw_arm
 from ..state import Statics
 from .arrows import REACH, Arrow, place_arrows
+from .bars import bars_of
 from .brought import brought_near
 from .couple_arm import draw_couple_arm
 from .given_loads import ways_of_loads
+from .inked import ink_arrows
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
@@ -66,9 +68,9 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
         spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
         forces, couples = brought_near(st, name, forces, spots)
         pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
-        arrows = place_arrows(forces, spots, pressed, pulled)
+        arrows = place_arrows(forces, spots, pressed, pulled, bars=[*bars_of(st.board.marks(pane))])
         _displaced(st, pane, name)
-        _arrows(st, pane, forces, arrows)
+        ink_arrows(st, pane, (name,), forces, arrows)
         draw_couple_arm(st, pane, name, forces, arrows)
         _draw_normals(st, pane, name, {arrow.symbol: arrow for arrow in arrows})
         _couple(st, pane, name, couples)
@@ -98,17 +100,6 @@ def _pressing(st: Statics, link: str) -> set[str]:
     ]
     pairs += [(pin.block, pin.carrier) for pin in st.mech.slot_pins.values()]
     return {st.named(b if a == link else a, link).symbol for a, b in pairs if link in (a, b)}
-
-
-def _arrows(st: Statics, pane: Pane, forces: Sequence[Acting], arrows: Sequence[Arrow]) -> None:
-    """The arrows, and the line of action from its point to one that stands farther out."""
-    places = {force.named.symbol: complex(nominal(force.at)) for force in forces}
-    for arrow in arrows:
-        if arrow.far:
-            at = places[arrow.symbol]
-            st.board.join(pane, at, min(arrow.start, arrow.end, key=lambda z: abs(z - at)), Role.DIRECTION)
-    for arrow in arrows:
-        st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
 
 
 def _spots(st: Statics, link: str) -> list[complex]:

@@ -11,7 +11,9 @@ from ....plane import Points, nominal, unit
 from ....words import Words
 from ..acting import Acting
 from ..bodies.arrows import REACH, place_arrows, say_far
+from ..bodies.bars import bars_of
 from ..bodies.given_loads import ways_of_loads
+from ..bodies.inked import ink_arrows
 from ..couples import couples_on
 from ..state import Statics
 
@@ -61,8 +63,8 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
     if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
         return
     spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]
-    for arrow in place_arrows(forces, spots, *ways_of_loads(st)):
-        st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
+    arrows = place_arrows(forces, spots, *ways_of_loads(st), bars=[*bars_of(st.board.marks(pane))])
+    ink_arrows(st, pane, links, forces, arrows)
     say_far(st, forces, spots)
     for link in links:
         pivot = complex(nominal(st.desk.at[next(iter(st.mech.link(link).points))]))

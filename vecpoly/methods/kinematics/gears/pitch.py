@@ -59,7 +59,7 @@ def letter_pitch_points(desk: Desk, joints: Iterable[Joint]) -> None:
         desk.letter(joint.point, desk.contact(joint))
         for circle in (joint.gear, joint.on):
             if isinstance(circle, Circle):
-                desk.lengths[frozenset((joint.point, circle.centre))] = _radius(circle)
+                desk.lengths[frozenset((joint.point, circle.centre))] = _radius(circle, joint.point)
 
 
 def pitch_velocity(desk: Desk, joint: Rolling, link: str) -> None:
@@ -199,10 +199,10 @@ def _relative(desk: Desk, link: str, other: str) -> Quantity:
 
 def _curved(joint: Rolling) -> Expr:
     """ρ: r on a rack, r R / (R ± r) on a gear."""
-    one = _radius(joint.gear)
+    one = _radius(joint.gear, joint.point)
     if isinstance(joint.on, Rack):
         return one
-    two = _radius(joint.on)
+    two = _radius(joint.on, joint.point)
     if not joint.internal:
         return one * two / (one + two)
     small, large = sorted((one, two), key=lambda r: float(nominal(r.value)))
@@ -219,8 +219,10 @@ def _normal(joint: Rolling, link: str) -> tuple[str, str]:
     return other.centre, joint.point
 
 
-def _radius(circle: Circle) -> Quantity:
-    return magnitude("r" if circle.link == FRAME else f"r_{circle.link}{circle.mark}", circle.radius, "m")
+def _radius(circle: Circle, point: str) -> Quantity:
+    """By the number of its link; of a fixed wheel by its pitch point: there may be several."""
+    named = f"r_{point}" if circle.link == FRAME else f"r_{circle.link}{circle.mark}"
+    return magnitude(named, circle.radius, "m")
 
 
 def _called(link: str) -> Words:

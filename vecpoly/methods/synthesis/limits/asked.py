@@ -12,6 +12,7 @@ from ....names import Named
 from ....plane import Points, Reals, ahead, unit
 from ....words import Words
 from ..angles import found
+from ..dimensions import stroke
 from ..draft import HALF_TURN, RIGHT, SHEET, Draft
 from ..linkage import crank_circle, drawn, pin, pivot, slider
 from ..pressure import greatest_pressure
@@ -105,6 +106,7 @@ def draw_slider_crank_limits(draft: Draft, design: SliderCrankLimits) -> None:
     drawn(draft, (a, b2, ends[1]), (a, b1, ends[0]))
     _advance(draft, a, (ends[0], ends[1]), _SLIDES)
     draft.length(draft.of_this(STROKE), board.measure(ends[0], ends[1], "C_1 C_2"), "C_1 C_2")
+    stroke(draft, (ends[0], ends[1]))
     alpha = draft.stated(draft.of_this(ALPHA_MAX), greatest_pressure(draft, lengths[0], lengths[1], offset))
     draft.worked(draft.of_this(GAMMA_MIN), RIGHT - alpha)
     draft.candidate(Verdict.VALID, (crank, coupler, offset.value, 0.0), A=a, B1=b1, C1=ends[0], B2=b2, C2=ends[1])

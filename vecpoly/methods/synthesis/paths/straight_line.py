@@ -18,7 +18,7 @@ from ....words import Words
 from ...devices.sketches.dimensions import dimension
 from ..chart import Axis, Chart, chart
 from ..draft import SHEET, Draft
-from ..linkage import Chain, drawn, pin, pivot, point
+from ..linkage import Chain, bar, drawn, pin, pivot, point
 from ..registry import design_method
 from .path import Path
 
@@ -103,7 +103,7 @@ def _joined(draft: Draft, coupler: tuple[Points, Points, Points], thick: bool) -
         draft.board.depict(SHEET, plate("coupler", b, c, e))
         return
     for one in (b, c):
-        draft.board.join(SHEET, one, e, Role.LINK if thick else Role.OTHER)
+        bar(draft, one, e, Role.LINK if thick else Role.OTHER)
 
 
 def _run_on(draft: Draft, chain: Chain, e: Points) -> None:

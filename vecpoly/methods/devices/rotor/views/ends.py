@@ -24,6 +24,7 @@ from .missing import drilled, void
 
 RIM = 6.0  # mm from the outermost mass to the rim of a disc
 FIRST, STEP = 8.0, 4.5  # mm: radius of the first angle, from one to the next
+READ = 7.0  # mm: a shorter arm has no room for the letter of its radius
 NO_PART = 1e-12  # of a mass: so small a part falls to a plane only by rounding
 
 
@@ -40,6 +41,8 @@ def from_its_end(bench: Bench, rotor: Rotor) -> None:
     for away, name, mass in arms:
         label = product_of(name, rotor.weighing).symbol if mass.r is None else f"m_{{{name}}}"
         _mass_seen(bench, view, mass, away, label, missing=mass.removed, within=_is_disc(rotor))
+        if mass.r is not None and away > READ:
+            board.plot(view, rect((away - LUMP) / 2, mass.at.si), f"r_{{{name}}}", Dot.NONE)
     rings = [FIRST + STEP * i for i in range(len(arms))]
     if len(seen) <= FEW and all(ring < away for ring, (away, _, _) in zip(rings, arms, strict=True)):
         for ring, (_, _, mass) in zip(rings, arms, strict=True):

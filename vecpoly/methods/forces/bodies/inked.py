@@ -1,0 +1,59 @@
+"""The arrows of a free body as they are inked: with the line of action of one that stands farther out on it, and the
+guide carried on to where a reaction of it acts beyond the body."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from ....board.construction import Pane
+from ....board.paper.marks import Role
+from ....diagram.owners import link as owner_of
+from ....mechanism.model import Prismatic
+from ....plane import nominal
+from ..acting import Acting
+from ..state import Statics
+from .arrows import Arrow
+from .bars import bars_of
+
+OFF = 6.0  # mm from all that is drawn of the body: a force that acts farther off hangs in the air
+
+
+def ink_arrows(
+    st: Statics, pane: Pane, links: Collection[str], forces: Sequence[Acting], arrows: Sequence[Arrow]
+) -> None:
+    """The arrows, the line of action from its point to one that stands farther out, and the guides that run on."""
+    places, shown = {force.named.symbol: complex(nominal(force.at)) for force in forces}, {one.symbol for one in arrows}
+    for arrow in arrows:
+        if arrow.far:
+            at = places[arrow.symbol]
+            st.board.join(pane, at, min(arrow.start, arrow.end, key=lambda z: abs(z - at)), Role.DIRECTION)
+    for symbol, link in _guided(st, links):
+        if symbol in shown:
+            _carry_on(st, pane, link, places[symbol])
+    for arrow in arrows:
+        st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
+
+
+def _guided(st: Statics, links: Collection[str]) -> Iterator[tuple[str, str]]:
+    """The reactions of slides between one of these links and another, and that link."""
+    for joint in st.mech.joints:
+        if isinstance(joint, Prismatic):
+            for by, on in ((joint.guide, joint.block), (joint.block, joint.guide)):
+                if on in links and by not in links:
+                    yield st.named(by, on).symbol, on
+
+
+def _carry_on(st: Statics, pane: Pane, link: str, at: complex) -> None:
+    """From the nearest place of the link to where the reaction acts, if that is beyond it."""
+    marks = (mark for mark in st.board.marks(pane) if mark.owner == owner_of(link))
+    pins = [complex(nominal(st.desk.at[point])) for point in st.mech.link(link).points if point in st.desk.at]
+    places = [*(_nearest(at, a, b) for a, b in bars_of(marks)), *pins]
+    near = min(places, key=lambda place: abs(place - at), default=at)
+    if abs(near - at) > OFF:
+        st.board.join(pane, near, at, Role.CENTRE)
+
+
+def _nearest(at: complex, a: complex, b: complex) -> complex:
+    """The place of a bar that is nearest."""
+    share = ((at - a) / (b - a)).real
+    return a + (b - a) * min(1.0, max(0.0, share))
