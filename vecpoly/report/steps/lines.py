@@ -131,9 +131,15 @@ def _plainly(line: Node, seen: bool) -> Node:
 
 
 def _left(step: Step, solution: Solution) -> tuple[Node, ...]:
-    """Without those that the box of answers tells."""
+    """Without those that the box of answers tells, and without zeros that a sentence has told up to here."""
     told = list(_told_by_box(step, solution))
-    return tuple(line for line in step.formulas if not any(line is one for one in told))
+    said = [bare(one.words.zh) for one in solution.construction.steps if one.number <= step.number]
+    return tuple(
+        line
+        for line in step.formulas
+        if not any(line is one for one in told)
+        and not (_is_nothing(line) and any(_is_said(line, text) for text in said))
+    )
 
 
 def with_results(text: str, step: Step, solution: Solution, lang: Lang) -> str:
@@ -181,9 +187,10 @@ def _is_endless(answer: Answer) -> bool:
 
 
 def _is_said(line: Node, text: str) -> bool:
-    """Whether it is a zero that the sentence has already: so α_2 = 0."""
-    symbol, _, size = plain(line).partition(EQUALS)
-    return size.split(" ")[0] == "0" and f"{symbol}{EQUALS}0" in bare(text)
+    """Whether it is a zero that the sentence has already: so α_2 = 0, or R_12 = R_32 = 0."""
+    symbol, *_, size = plain(line).split(EQUALS)
+    zero = re.compile(rf"(?<![\w,′]){re.escape(symbol)} =(?: [\w,′^{{}}]+ =)* 0(?![.\d])")
+    return size.split(" ")[0] == "0" and bool(zero.search(bare(text)))
 
 
 def _inline(line: Node) -> str:

@@ -36,7 +36,8 @@ def finish(sheet: Sheet) -> None:
 
 
 def joined(sheet: Sheet, verdict: Verdict) -> None:
-    """Draw the links, thick in the first position and dashed in the others; read what was sought."""
+    """Draw the links, thick in the first position and dashed in the others; read what was sought, if it is no
+    candidate that is rejected."""
     draft, plan = sheet.draft, sheet.plan
     draft.board.section(Words("所得机构", "The linkage"))
     draft.board.step(_told(sheet, verdict), SHEET)
@@ -47,9 +48,10 @@ def joined(sheet: Sheet, verdict: Verdict) -> None:
         _lettered(sheet)
     draft.rejected = verdict is not Verdict.VALID
     rejected(draft, verdict)
-    _lengths(sheet)
-    _ahead(sheet)
-    _turned(sheet)
+    if verdict is Verdict.VALID:
+        _lengths(sheet)
+        _ahead(sheet)
+        _turned(sheet)
 
 
 def closed(sheet: Sheet, verdict: Verdict) -> None:
@@ -60,12 +62,12 @@ def closed(sheet: Sheet, verdict: Verdict) -> None:
 
 
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
+    if verdict is not Verdict.VALID:
+        return Words("连接第一位置的各铰链。", "Join the pins in the first position.")
     told = Words(
         "连接各铰链，第一位置画粗实线，其余位置画虚线；由图量得各构件长度：",
         "Join the pins: thick in the first position, dashed in the others. Measure the lengths:",
     )
-    if verdict is not Verdict.VALID:
-        return told
     if not sheet.plan.either:
         kinds = [why for _, why in _kinds(sheet)]
         return behind(told, reduce(add, kinds)) if kinds else told
