@@ -19,9 +19,9 @@ _COLONS = ("：", ":")
 _MOST = 4  # lines in a sentence
 _UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
 _WORKED, _NOTHING = 6, " = 0 "  # parts of a line symbol = formula = numbers = result; how one ends that vanishes
-# numbers that work out what is plain: 0 × 2, (400 − 400); 1 × 0.08, (400 − 0)/400, 400/400
+# numbers that work out what is plain: 0 × 2, (400 − 400); 1 × 0.08, 28/1, (400 − 0)/400, 400/400
 _ZERO = re.compile(r"(?<![\d.])0(?![\d.])|\((\S+) − \1\)")
-_SEEN = re.compile(r"^1(\.0+)? × [\d.]+$|\((\S+) − 0\)/\(\2\)$|× \(([\d.]+)\)/\(\3\)$")
+_SEEN = re.compile(r"^1(\.0+)? × [\d.]+$|\)/\(1\)$|\((\S+) − 0\)/\(\2\)$|× \(([\d.]+)\)/\(\3\)$")
 _EQUAL, _INDEX = 3, re.compile(r"_\w+")  # lines that are told together; what differs in them
 _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
@@ -131,15 +131,20 @@ def _plainly(line: Node, seen: bool) -> Node:
 
 
 def _left(step: Step, solution: Solution) -> tuple[Node, ...]:
-    """Without those that the box of answers tells, and without zeros that a sentence has told up to here."""
-    told = list(_told_by_box(step, solution))
-    said = [bare(one.words.zh) for one in solution.construction.steps if one.number <= step.number]
-    return tuple(
+    """Without those that the box of answers tells, zeros that a sentence has told up to here, what was measured of
+    candidates that are rejected, and, where others are left, lines that an earlier step has worked out."""
+    told = list(_told_by_box(step, solution)) + list(_of_rejected(step, solution))
+    before = [one for one in solution.construction.steps if one.number < step.number]
+    said = [bare(one.words.zh) for one in (*before, step)]
+    left = [
         line
         for line in step.formulas
         if not any(line is one for one in told)
         and not (_is_nothing(line) and any(_is_said(line, text) for text in said))
-    )
+    ]
+    worked = {plain(line) for one in before for line in one.formulas if _form(line)}
+    new = [line for line in left if plain(line) not in worked]
+    return tuple(new or left)
 
 
 def with_results(text: str, step: Step, solution: Solution, lang: Lang) -> str:
@@ -178,6 +183,15 @@ def _told_by_box(step: Step, solution: Solution) -> Iterator[Node]:
         if answer is not None and (
             _is_endless(answer) or (_is_bare(line) and (answer.is_place or stands_still(answer)))
         ):
+            yield line
+
+
+def _of_rejected(step: Step, solution: Solution) -> Iterator[Node]:
+    """The lines of candidates that are rejected beside others that are not: l_AB with the number (3) above."""
+    kept = [one for one in solution.construction.candidates if one.reason is None]
+    lost = [f"^({one.number})" for one in solution.construction.candidates if one.reason is not None]
+    for line in step.formulas if kept else ():
+        if any(number in plain(line).partition(EQUALS)[0] for number in lost):
             yield line
 
 

@@ -135,7 +135,7 @@ def stated_bearing(bench: Bench, named: Named, vector: Points, least: float) -> 
         bench.board.remark(
             Words(
                 f"（${named.symbol}$ 无意义：封闭边为零。）",
-                f" (The closing side vanishes, ${named.symbol}$ has no meaning.)",
+                f" (The closing side vanishes; ${named.symbol}$ has no meaning.)",
             )
         )
         bench.stated(named, np.nan * np.abs(vector), row_of(sym(named.symbol), " —"))

@@ -36,8 +36,7 @@ def finish(sheet: Sheet) -> None:
 
 
 def joined(sheet: Sheet, verdict: Verdict) -> None:
-    """Draw the links, thick in the first position and dashed in the others; read what was sought, if it is no
-    candidate that is rejected."""
+    """Draw the links, thick in the first position and dashed in the others; read what was sought."""
     draft, plan = sheet.draft, sheet.plan
     draft.board.section(Words("所得机构", "The linkage"))
     draft.board.step(_told(sheet, verdict), SHEET)
@@ -48,10 +47,9 @@ def joined(sheet: Sheet, verdict: Verdict) -> None:
         _lettered(sheet)
     draft.rejected = verdict is not Verdict.VALID
     rejected(draft, verdict)
-    if verdict is Verdict.VALID:
-        _lengths(sheet)
-        _ahead(sheet)
-        _turned(sheet)
+    _lengths(sheet)
+    _ahead(sheet)
+    _turned(sheet)
 
 
 def closed(sheet: Sheet, verdict: Verdict) -> None:
@@ -64,9 +62,12 @@ def closed(sheet: Sheet, verdict: Verdict) -> None:
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
     if verdict is not Verdict.VALID:
         return Words("连接第一位置的各铰链。", "Join the pins in the first position.")
+    also = (
+        Words("和第一位置的方向角", " and the directions in the first position") if sheet.plan.either else Words("", "")
+    )
     told = Words(
-        "连接各铰链，第一位置画粗实线，其余位置画虚线；由图量得各构件长度：",
-        "Join the pins: thick in the first position, dashed in the others. Measure the lengths:",
+        f"连接各铰链，第一位置画粗实线，其余位置画虚线；由图量得各构件长度{also.zh}：",
+        f"Join the pins: thick in the first position, dashed in the others. Measure the lengths{also.en}:",
     )
     if not sheet.plan.either:
         kinds = [why for _, why in _kinds(sheet)]
