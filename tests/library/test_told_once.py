@@ -10,10 +10,12 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
+from tests.framed_answers import rows_in
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Step, View
 from vecpoly.board.said.short import too_short
 from vecpoly.problem.load import load
+from vecpoly.report.answers.box import answer_box
 from vecpoly.report.steps.lines import displayed, with_results
 from vecpoly.solution import Solution, solve
 from vecpoly.words import bare
@@ -64,11 +66,11 @@ def test_no_lengths_of_a_rejected_candidate_stand_beside_those_of_the_solutions(
 def test_nothing_is_divided_by_one_nor_are_freedoms_of_nothing_subtracted(name: str) -> None:
     for step, lines in shown(name):
         for line in lines:
-            assert not re.search(r"\)/\(1\)", line), f"step {step.number}: {line}"
+            assert not re.search(r"\)/\(1\) = |= \((\S+)\)/\(\1\) = ", line), f"step {step.number}: {line}"
             assert not (line.startswith("F = 3n") and re.search(r"[−+] 0 [−+] 0 |\+ 0 = ", line)), line
 
 
-@each(IDS)
+@each((*IDS, "guided-couple", "plate-two-slides"))
 def test_the_normals_of_the_slides_of_a_group_are_told_in_one_step(name: str) -> None:
     for one, other in pairwise(drawn(name).construction.steps):
         assert not (NORMAL.match(bare(one.words.en)) and NORMAL.match(bare(other.words.en))), other.words.en
@@ -104,3 +106,14 @@ def test_of_the_pressure_and_the_transmission_angle_one_is_read(name: str) -> No
     lines = [plain(line) for step in solve(load(name)).construction.steps for line in step.formulas]
     (alpha,), (gamma,) = ([line for line in lines if line.startswith(f"{symbol} = ")] for symbol in "αγ")
     assert alpha.count(" = ") == 1 and gamma.startswith("γ = 90° − α = 90° − ")
+
+
+@each((*IDS, "3-9", "ex10"))
+def test_links_that_turn_alike_have_one_row_in_the_answer(name: str) -> None:
+    solution = drawn(name).solution
+    rows = [row.keys for row in rows_in(answer_box(solution, "en"))]
+    for key, answer in solution.answers.items():
+        told = "" if answer.reading.formula is None else plain(answer.reading.formula)
+        if alike := re.match(r"([ωα])_(\w+) = \1_(\w+) = ", told):
+            both = {key, f"{'omega' if alike[1] == 'ω' else 'alpha'}_{alike[3]}"}
+            assert sum(bool(both & set(keys)) for keys in rows) <= 1, f"{told}: {rows}"

@@ -156,7 +156,7 @@ def _line(desk: Desk, rel: Rel, view: View, on_paper: Quantity, known: Quantity 
     if known is not None:
         line = stated(replace(known, node=sym(rel.symbol)))
         own = {plain(sym(one)) for one in (rel.symbol, _told(desk, rel))}
-        of_another = rel.ref is None and plain(known.node) not in own
+        of_another = (rel.ref is None or rel.kind is Kind.AK) and plain(known.node) not in own
         return Row((line.items[0], Txt(" = "), known.node, *line.items[1:])) if of_another else line
     return worked(_as_drawn(desk, rel), desk.board.mu(view) * on_paper, rel.kind.unit)
 

@@ -49,13 +49,21 @@ def _instead(desk: Desk, asked: Rel) -> Words:
 
 def computed(desk: Desk, rel: Rel) -> Quantity | None:
     """The quantity itself where it was computed and laid off, of this vector, of its opposite, or of another point of a
-    link that only translates: it is not read again."""
+    link that only translates, or of a sliding pair: it is not read again."""
     for one in (rel, _back(rel)):
         if one is not None:
             size = desk.size(_own(desk, one))
             if size is not None:
                 return size
-    return _translated(desk, _own(desk, rel))
+    return _translated(desk, _own(desk, rel)) or _of_pair(desk, rel)
+
+
+def _of_pair(desk: Desk, rel: Rel) -> Quantity | None:
+    """The Coriolis term of a sliding pair, as it was computed at another of its points."""
+    if rel.kind is not Kind.AK or rel.ref is None:
+        return None
+    slide = desk.slides.get((rel.to.link, rel.ref.link)) or desk.slides.get((rel.ref.link, rel.to.link))
+    return None if slide is None else desk.size(Rel(Kind.AK, slide.to, slide.ref))
 
 
 def _translated(desk: Desk, rel: Rel) -> Quantity | None:

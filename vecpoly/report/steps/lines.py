@@ -19,9 +19,11 @@ _COLONS = ("：", ":")
 _MOST = 4  # lines in a sentence
 _UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
 _WORKED, _NOTHING = 6, " = 0 "  # parts of a line symbol = formula = numbers = result; how one ends that vanishes
-# numbers that work out what is plain: 0 × 2, (400 − 400); 1 × 0.08, 28/1, (400 − 0)/400, 400/400
+_RATIO = 4  # parts of a line ω_2/ω_3 = numbers = result
+# numbers that work out what is plain: 0 × 2, (400 − 400); 1 × 0.08, (400 − 0)/400, 400/400
 _ZERO = re.compile(r"(?<![\d.])0(?![\d.])|\((\S+) − \1\)")
-_SEEN = re.compile(r"^1(\.0+)? × [\d.]+$|\)/\(1\)$|\((\S+) − 0\)/\(\2\)$|× \(([\d.]+)\)/\(\3\)$")
+_SEEN = re.compile(r"^1(\.0+)? × [\d.]+$|\((\S+) − 0\)/\(\2\)$|× \(([\d.]+)\)/\(\3\)$")
+_ONE = re.compile(r"^\((\S+)\)/\(\1\)$|\)/\(1\)$")  # of whatever others are like it: 0.31/0.31, 28/1
 _EQUAL, _INDEX = 3, re.compile(r"_\w+")  # lines that are told together; what differs in them
 _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
@@ -33,7 +35,7 @@ def displayed(step: Step, solution: Solution) -> tuple[Node, ...]:
         return ()
     told = [_once(line) for line in left]
     long = {_form(line) for line in told if not (_is_nothing(line) or _is_seen(line))}
-    return tuple(_plainly(line, _is_seen(line) and _form(line) not in long) for line in told)
+    return tuple(_plainly(line, _is_one(line) or (_is_seen(line) and _form(line) not in long)) for line in told)
 
 
 def measured_once(lines: Sequence[Node]) -> Iterator[Node]:
@@ -122,9 +124,14 @@ def _is_seen(line: Node) -> bool:
     return isinstance(line, Row) and bool(_form(line)) and bool(_SEEN.search(plain(line.items[-2])))
 
 
+def _is_one(line: Node) -> bool:
+    """Whether its numbers divide by one, or by themselves."""
+    return isinstance(line, Row) and len(line.items) >= _RATIO and bool(_ONE.search(plain(line.items[-2])))
+
+
 def _plainly(line: Node, seen: bool) -> Node:
     """F = W ω² = 0 N of F = W ω² = 0 × 377² = 0 N: a factor that vanishes needs no numbers; seen: nor does one of 1."""
-    if not isinstance(line, Row) or len(line.items) < _WORKED:
+    if not isinstance(line, Row) or (len(line.items) < _WORKED and not seen):
         return line
     short = bool(_ZERO.search(plain(line.items[-2]))) if _is_nothing(line) else seen
     return Row((*line.items[:-3], line.items[-1])) if short else line
