@@ -56,7 +56,7 @@ def test_why_two_arcs_leave_two_answers_is_said_and_true_of_the_drawing(other: f
     ]
     problem = device("field-balancing", initial="5 mm/s", trials=trials, correct={"r": "100 mm"})
     construction = drawn(problem)
-    (said,) = (step.words.en for step in construction.steps if "Only two trial runs" in step.words.en)
+    (said,) = (step.words.en for step in construction.steps if "only two trial runs" in step.words.en)
     assert "mirror images" in said and ("collinear" in said) is equal
     sizes = [construction.readings[f"V_t_{which}"].scalar for which in (1, 2)]
     assert (sizes[0] == pytest.approx(sizes[1], rel=1e-9)) is equal

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from cmath import phase, rect
 from math import degrees, radians
 from typing import Any
@@ -220,10 +221,11 @@ def test_a_rotor_in_balance_is_told_so_by_every_hand_and_has_no_directions(by: s
 
 
 def test_the_permitted_circle_the_rounded_weights_and_what_they_leave_are_named_on_the_polygon() -> None:
-    figures = load("rotor-bolt-circle").solve(by="exact").construction.figures
-    figure = next(f for f in figures if f.view is view_named("unbalances"))
+    construction = load("rotor-bolt-circle").solve(by="exact").construction
+    figure = next(f for f in construction.figures if f.view is view_named("unbalances"))
     assert figure.scale.symbol == "μ_W"
     arrows = {mark.label for mark in figure.marks if isinstance(mark, Vector)}
     letters = {mark.label for mark in figure.marks if isinstance(mark, Point)}
     assert {"W′_{b,1}", "W′_{b,2}", "W_{r}"} <= arrows and "" not in arrows
-    assert {"U_{per}", "q"} <= letters
+    (end,) = re.findall(r"to their end \$(\w)\$", " ".join(step.words.en for step in construction.steps))
+    assert {"U_{per}", end} <= letters

@@ -160,7 +160,7 @@ def test_a_letter_that_is_not_on_the_sheet_is_refused_with_those_that_are() -> N
     with pytest.raises(UnknownNameError, match="bc2"):
         solve(load("3-9"), readings={"bc": 38.0}, repeats=0)
     with pytest.raises(UnknownNameError, match="force"):
-        solve(load("4-3a"), readings={"ca": 38.0}, repeats=0)
+        solve(load("4-3a"), readings={"bc": 38.0}, repeats=0)
 
 
 @pytest.mark.parametrize("problem", few(SEVERAL, 4))

@@ -57,6 +57,6 @@ def test_a_flat_crossing_that_finds_a_point_is_still_told(shaper: Solution) -> N
 
 
 def test_several_flat_crossings_of_a_step_are_told_in_one_sentence() -> None:
-    (step,) = [step for step in load(FLAT).solve().construction.steps if "$M^{(3)}$" in step.words.en[:24]]
+    (step,) = [step for step in load(FLAT).solve().construction.steps if "$M^{(3)}$" in step.words.en[:40]]
     assert step.words.en.count("(Lines meet at only") == step.words.en.count("poorly defined") == 1
     assert "11° and 8°" in step.words.en and step.words.zh.count("不易准确") == 1 and "11°、8°" in step.words.zh

@@ -24,8 +24,8 @@ def test_students_who_draw_rightly_are_right_and_accused_of_nothing(name: str) -
 
 
 def test_a_length_of_nothing_in_another_figure_is_no_length_of_this_one() -> None:
-    (length,) = [one for one in key_of("engine-four").quantities if one.letters.endswith(":Od")]
-    assert length.exact == 108.0 and length.letters == "products II:Od"
+    (length,) = [one for one in key_of("engine-four").quantities if one.letters.startswith("products II:O")]
+    assert length.exact == 108.0
 
 
 @each(("4-3a", "rotor-grade", "engine-single", "3-2"))
@@ -47,8 +47,8 @@ def test_a_direction_that_no_mistake_gives_is_none_of_a_mistake() -> None:
 
 def test_yes_and_no_follow_from_own_values() -> None:
     assert set(key_of("rotor-bolt-circle")["within"].needs) >= {"m_b,1", "U_per"}
-    followed = marked("rotor-bolt-circle", {"ae": "66.6", "m_b_1": "5.61", "within": "no"})
-    assert not followed["ae"].is_right and followed["within"].is_right
+    followed = marked("rotor-bolt-circle", {"ab": "66.6", "m_b_1": "5.61", "within": "no"})
+    assert not followed["ab"].is_right and followed["within"].is_right
 
 
 def test_nothing_is_no_rounding_of_something() -> None:

@@ -106,12 +106,12 @@ def test_an_answer_has_three_figures_and_four_after_a_leading_1_however_far_it_m
 
 @pytest.mark.parametrize(
     ("name", "symbol", "number"),
-    [("hoist", "ω_1", "100.53"), ("hoist", "α_1", "251.15"), ("7-4", "J_F", "80.52"), ("4-3b", "h", "0.02275")],
+    [("hoist", "ω_1", "100.53"), ("hoist", "α_1", "251.15"), ("7-4", "J_F", "80.52"), ("4-6", "l_DB", "0.2055")],
 )
 def test_a_number_has_one_form_where_it_is_found_and_where_lines_go_on_with_it(
     name: str, symbol: str, number: str
 ) -> None:
-    """Of what is stated only, is computed, or is told in mm, too."""
+    """Of what is stated only, is computed, or is measured on the diagram, too."""
     lines = [plain(one) for step in solve(load(name)).construction.steps for one in step.formulas]
     (found,) = (line for line in lines if line.startswith(f"{symbol} = "))
     assert f"= {number} " in found and sum(number in line for line in lines) > 1

@@ -40,6 +40,12 @@ ENGLISH = (
     r"lead a smooth curve", r"compute more places", r"letter the pairs", r"by the angle with the sine", r"^they agree$",
     r"Where the forces act", r"drawn one after the other", r"[Gg]reatest (?:pressure|surplus|speed|shaking|structural)",
     r"(?<!at )[Ll]east (?:radius|number|speed|profile|base circle|transmission)", r"from a (?:large|small) \w+, not of",
+    r"linkage found, checked", r"\}: direction of the force", r"Likewise (?:in|for) plane", r": no meeting\.",
+    r"^Is it undercut",
+    r"^Likewise, from [^.]*: \$", r"^Centre point [^:]*: turned", r"as measured:$", r"^The annulus as it is",
+    r"^Only two trial runs", r": round bars;", r"on paper \{\}, less than", r"^Its degree of freedom:",
+    r"^Each printed column beside",
+    r": static balance\.$", r"^For Freudenstein",
 )  # fmt: skip
 CHINESE = (
     r"相应一侧", r"在同样的驱动下", r"等值、反向，沿", r"的垂足距", r"性态", r"分子大", r"分母小",
@@ -47,7 +53,8 @@ CHINESE = (
     r"影像求 \$", r"附图缺失", r"原图已失", r"尺寸为?自拟", r"电子文本", r"本库所取",
     r"带随机误差的手", r"以末位数字为准", r"设计任务", r"(?<!接)[内外]副", r"铰接于槽中", r"（扩大）", r"其作用的范围",
     r"轮心距", r"焊死", r"侧的一点", r"给从动件（", r"同回路同分支", r"此题病态", r"从框内已印出", r"精确求得",
-    r"原动件上力偶",
+    r"原动件上力偶", r"[；。]过接触点[^，。]*公法线上，", r"法作得曲率", r"换位速度分量",
+    r"同样，在平面[^，。]*内：", r"^圆心点[^，。]*：反转", r"短于 \S+ mm：",
 )  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from . import acts as done
 from .ledger import Stood
 from .log import Log
 from .paper.marks import Dot, Role
-from .place import Place
+from .place import Place, View, view_of
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
 NO_ARROW = 1e-6  # mm: shorter vectors are not drawn
@@ -65,6 +65,11 @@ class Strokes(Log):
     def letters_at(self, view: Place, at: complex) -> tuple[str, ...]:
         """The letters of a place so far, in the order in which they were given."""
         return tuple(one.label for one in self._letters[view] if abs(one.at - at) < NO_ARROW)
+
+    def lettered(self, view: View, *, besides: Place | None = None) -> frozenset[str]:
+        """The letters of the points on all figures of a kind, or on all but one."""
+        places = [place for place in self._letters if place != besides and view_of(place) is view]
+        return frozenset(one.label for place in places for one in self._letters[place])
 
     def _arrow(self, view: Place, a: Points, b: Points, role: Role, key: str, label: str, shown: bool) -> Acts:
         head = self.head(a, b, on=view, key=key)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..algebra.formula import Node, Row, Txt, letters_node, sym
+from ..algebra.formula import Node, Row, Txt, letters_node, plain, sym
 from ..algebra.quantity import Quantity, magnitude, paper
 from ..algebra.worked import spot_in_mm, stated, worked
 from ..board.board import NO_LENGTH
@@ -154,16 +154,25 @@ def _line(desk: Desk, rel: Rel, view: View, on_paper: Quantity, known: Quantity 
     if zero:
         return stated(replace(magnitude("", 0.0, rel.kind.unit), node=_as_drawn(desk, rel)))
     if known is not None:
-        return stated(replace(known, node=sym(rel.symbol)))
+        line = stated(replace(known, node=sym(rel.symbol)))
+        own = {plain(sym(one)) for one in (rel.symbol, _told(desk, rel))}
+        of_another = (rel.ref is None or rel.kind is Kind.AK) and plain(known.node) not in own
+        return Row((line.items[0], Txt(" = "), known.node, *line.items[1:])) if of_another else line
     return worked(_as_drawn(desk, rel), desk.board.mu(view) * on_paper, rel.kind.unit)
 
 
 def _as_drawn(desk: Desk, rel: Rel) -> Node:
     """The symbol; where the equation has the point under the number of a link, that too: v_D = v_D4."""
-    drawn = f"{rel.kind.stem}_{{{desk.show(desk.canonical(rel.to))}}}"
+    drawn = _told(desk, rel)
     if rel.ref is not None or rel.kind not in (Kind.V, Kind.A) or drawn == rel.symbol:
         return sym(rel.symbol)
     return Row((sym(rel.symbol), Txt(" = "), sym(drawn)))
+
+
+def _told(desk: Desk, rel: Rel) -> str:
+    """The symbol that the equation has for it."""
+    own = Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
+    return desk.symbol(own)
 
 
 def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:

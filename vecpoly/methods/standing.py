@@ -3,6 +3,8 @@ under its own key, as the opposite of another, or as that of the same sliding pa
 
 from __future__ import annotations
 
+import numpy as np
+
 from ..algebra.quantity import Quantity
 from ..board.board import NO_LENGTH
 from ..board.construction import View
@@ -46,14 +48,42 @@ def _instead(desk: Desk, asked: Rel) -> Words:
 
 
 def computed(desk: Desk, rel: Rel) -> Quantity | None:
-    """The quantity itself where it was computed and laid off, of this vector or of its opposite:
-    it is not read again."""
+    """The quantity itself where it was computed and laid off, of this vector, of its opposite, or of another point of a
+    link that only translates, or of a sliding pair: it is not read again."""
     for one in (rel, _back(rel)):
         if one is not None:
             size = desk.size(_own(desk, one))
             if size is not None:
                 return size
-    return None
+    return _translated(desk, _own(desk, rel)) or _of_pair(desk, rel)
+
+
+def _of_pair(desk: Desk, rel: Rel) -> Quantity | None:
+    """The Coriolis term of a sliding pair, as it was computed at another of its points."""
+    if rel.kind is not Kind.AK or rel.ref is None:
+        return None
+    slide = desk.slides.get((rel.to.link, rel.ref.link)) or desk.slides.get((rel.ref.link, rel.to.link))
+    return None if slide is None else desk.size(Rel(Kind.AK, slide.to, slide.ref))
+
+
+def _translated(desk: Desk, rel: Rel) -> Quantity | None:
+    """What was laid off as the motion of one point of a link that only translates is that of all its points."""
+    view, at = polygon_of(rel), rel.to
+    carriers = [link.name for link in desk.mech.links if at.link == link.name or at.point in link.points]
+    never = any((turn := desk.turns.get(omega(name))) is not None and turn.never for name in carriers)
+    if rel.ref is not None or rel.kind not in (Kind.V, Kind.A) or not never or not desk.has_tip(view, at):
+        return None
+    ledger, tip = desk.board.ledger, desk.tip(view, at)
+    same = (
+        size
+        for (place, key), size in ledger.laid.items()
+        if size is not None
+        and (stood := ledger.vectors.get((view, key))) is not None
+        and place is view
+        and not np.any(stood.start)
+        and np.array_equal(stood.end, tip)
+    )
+    return next(same, None)
 
 
 def _own(desk: Desk, rel: Rel) -> Rel:

@@ -78,8 +78,8 @@ def _said(short: Sequence[Short]) -> tuple[str, str]:
         zh, en = f"{zh} 等 {len(short)} 处", f"{en} and {len(short) - MOST} more"
     at = _scale(short)
     return (
-        f"图上 {zh}，短于 {READABLE:g} mm：{f'按 {at} ' if at else ''}{TOO_SHORT.zh}",
-        f"on paper {en}, less than {READABLE:g} mm: {TOO_SHORT.en}{f' at {at}' if at else ''}",
+        f"{f'按 {at}，' if at else ''}图上 {zh}{'' if len(short) > MOST else ' '}{TOO_SHORT.zh}",
+        f"on paper {en}, {TOO_SHORT.en}{f' at {at}' if at else ''}",
     )
 
 

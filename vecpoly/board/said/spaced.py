@@ -1,4 +1,5 @@
-"""A blank between a Chinese character and a symbol, however a sentence is put together."""
+"""A blank between a Chinese character and a symbol, and none before a Chinese stop or bracket, however a sentence is
+put together."""
 
 from __future__ import annotations
 
@@ -8,14 +9,16 @@ from ...words import Words
 
 _HAN = "\u4e00-\u9fff"
 _BEFORE, _BEHIND = re.compile(rf"(?<=[{_HAN}])$"), re.compile(rf"^(?=[{_HAN}])")
+_BLANK = re.compile(rf"(?<=[{_HAN}\d]) +(?=[，。；：、）（])")
 _SYMBOL = re.compile(r"\$[^$]+\$")
 
 
 def spaced(words: Words) -> Words:
-    """The sentence with such blanks: 圆 $η$ 上."""
+    """The sentence with such blanks alone: 圆 $η$ 上, 从动件（构件 3）."""
     pieces = words.zh.split("$")
+    pieces[::2] = [_BLANK.sub("", piece) for piece in pieces[::2]]
     if len(pieces) < 3:
-        return words
+        return Words("$".join(pieces), words.en)
     for n in range(0, len(pieces), 2):  # between the symbols
         if n + 1 < len(pieces):
             pieces[n] = _BEFORE.sub(" ", pieces[n])

@@ -40,9 +40,13 @@ def evaluated(
 
 
 def _shown_in(steps: Sequence[Step], acts: Sequence[Act], answer: Answer) -> int:
-    """The step that has the line: that of the table in which it is read, else the one that yields it."""
+    """The step that has the line: that of the table in which it is read; of a length that bears the symbol itself, h,
+    that which goes on with it; else the one that yields it."""
     own = answer.head.step
-    return own if steps[own - 1].listing is not None else yields(acts, answer)
+    if steps[own - 1].listing is not None:
+        return own
+    read = [acts[n] for n in answer.inputs if isinstance(acts[n], Measure) and acts[n].key == answer.key]
+    return read[0].head.step if read and steps[read[0].head.step - 1].formulas else yields(acts, answer)
 
 
 def yields(acts: Sequence[Act], answer: Answer) -> int:

@@ -117,8 +117,12 @@ class AnglePairs(Design):
     def _rocker(self) -> Plan:
         assert self.AB is not None and self.AD is not None
         a, d = complex(0), complex(self.AD.si)
-        crank = Body(name="AB", pivot="A", positions=tuple(Position(at=a, angle=pair.one) for pair in self.pairs))
-        rocker = Body(name="DE", pivot="D", positions=tuple(Position(at=d, angle=pair.two) for pair in self.pairs))
+        ones, twos = (
+            tuple(Position(at=at, angle=angle) for angle in angles)
+            for at, angles in ((a, [pair.one for pair in self.pairs]), (d, [pair.two for pair in self.pairs]))
+        )
+        crank = Body(name="AB", pivot="A", positions=ones, symbol="φ")
+        rocker = Body(name="DE", pivot="D", positions=twos, symbol="ψ")
         pins = (
             Pin(letter="A", on=FRAME, at=a),
             Pin(letter="D", on=FRAME, at=d),
@@ -133,7 +137,8 @@ class AnglePairs(Design):
         along = self.guide.along
         foot = self.guide.at - along * (along.conjugate() * self.guide.at).real
         slide = Slide(letter="C", places=tuple(foot + pair.two * along for pair in self.pairs), along=along)
-        rocker = Body(name="AE", pivot="A", positions=tuple(Position(angle=pair.one) for pair in self.pairs))
+        turns = tuple(Position(angle=pair.one) for pair in self.pairs)
+        rocker = Body(name="AE", pivot="A", positions=turns, symbol="φ")
         sought = Find(pin="B", on="AE", known="C", lies=self._lies(self.B), kept=self.onto - 1)
         return Plan(
             count=len(self.pairs),

@@ -30,11 +30,13 @@ class Body:
     """A link in its positions; pivot: the fixed pin that it turns about, where it has one.
 
     Its name is the letters of its ray (AB: from A, along the angle of its position), or the letter of a plane (S).
+    symbol: of its directions where they are not told as φ_AB, φ_CD.
     """
 
     name: str
     positions: tuple[Position, ...]
     pivot: str = ""
+    symbol: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -191,5 +191,5 @@ LETTERS: tuple[Letter, ...] = (
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"P", Words("相对瞬心", "relative instant centre")),
     Letter(_named("alpha_rise", "alpha_return", "rho_min"), r"n", Words("公法线", "common normal")),
     Letter(_named("rho_min"), r"K", Words("曲率中心", "centre of curvature")),
-    Letter(_named("rho_min"), r"u′", Words("$P$ 的换位速度分量", "part of the velocity of $P$")),
+    Letter(_named("rho_min"), r"u′", Words("$P$ 换位速度 $u$ 的分量", "component of the velocity $u$ of $P$")),
 )

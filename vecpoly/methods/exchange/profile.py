@@ -197,8 +197,8 @@ def _told(profile: CamProfile, found: Osculating, turn: float) -> Words:
     hollow = Words("（内凹）", " (hollow)") if found.radius < 0 else Words("", "")
     return (
         Words(
-            f"凸轮 {link} 的廓线用反转法作出，转到 $φ_{link}$ = {number(degrees(turn))}°；过接触点 ${t}$ 的公法线上，"
-            f"用哈特曼法作得曲率中心 ${k}$（{curve.zh}在该处的曲率半径 $ρ$ = {size} mm",
+            f"凸轮 {link} 的廓线用反转法作出，转到 $φ_{link}$ = {number(degrees(turn))}°；在过接触点 ${t}$ 的公法线上，"
+            f"用哈特曼法作出曲率中心 ${k}$（{curve.zh}在该处的曲率半径 $ρ$ = {size} mm",
             f"The profile of cam {link} is drawn by inversion and turned to $φ_{link}$ = {number(degrees(turn))}°. "
             f"Hartmann's construction gives the centre of curvature ${k}$ on the common normal through ${t}$ (radius "
             f"of curvature of the {curve.en} there: $ρ$ = {size} mm",

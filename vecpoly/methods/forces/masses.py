@@ -29,8 +29,8 @@ def masses(st: Statics) -> None:
         st.board.step(
             Words(
                 f"构件 {links} 为圆截面杆，按细长杆求质量和对质心的转动惯量：",
-                f"Link{'s' if len(rods) > 1 else ''} {links_en}: round bars; mass and moment of "
-                "inertia about the centre of mass as thin rods:",
+                f"Treat the round bar{'s' if len(rods) > 1 else ''} {links_en} as slender to find mass and moment of "
+                "inertia about the centre of mass:",
             )
         )
     for mass in st.loads.masses:

@@ -220,7 +220,7 @@ def _circles(st: Statics) -> None:
         board.step(
             Words(
                 "转动副中的摩擦不计，其反力仍过铰链中心；其余有摩擦的运动副中，总反力偏离法线一个摩擦角。",
-                "The pins have no friction, their reactions still pass through the centres; in "
+                "The pins have no friction, and their reactions still pass through the centres; in "
                 "the other joints with friction the total reaction is inclined to the normal at the "
                 "friction angle.",
             ),

@@ -31,7 +31,7 @@ def keep_value(st: Statics, named: Named, value: Reals, expr: Expr) -> None:
     )
 
 
-def keep_arm(st: Statics, named: Named, arm: Quantity) -> None:
+def keep_arm(st: Statics, named: Named, arm: Product) -> None:
     """A length that was read on the diagram, with what was read."""
     mu = st.board.mu(View.MECHANISM)
     st.keep(

@@ -4,10 +4,13 @@ the way from the pole to the sought point over one link or one guide."""
 from __future__ import annotations
 
 from ...board.construction import View
+from ...board.said.short import too_short
 from ...mechanism.model import FRAME, Prismatic
 from ...names import At, Kind, Rel, alpha, omega
+from ...plane import nominal
 from ...vector.close import Closed, close
 from ...vector.equation import Equation, Term
+from ...words import Words
 from ..desk import VECTOR, Desk, Turn
 from .image import imaged
 from .laid_off import laid_off
@@ -60,7 +63,25 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     desk.reach_tip(view, to, closed.meeting)
     board.plot(view, closed.meeting, desk.tip_label(view, to))
     board.arrow_once(view, 0j, closed.meeting, key=desk.key(Rel(VECTOR[view], desk.canonical(to))))
+    if view is View.VELOCITY:
+        _say_nearly_none(desk, eq, closed)
     return closed
+
+
+def _say_nearly_none(desk: Desk, eq: Equation, closed: Closed) -> None:
+    """That a relative velocity all but vanishes: two letters lie so close that their distance is not to be read."""
+    for term in (*eq.left, *eq.right):
+        if not isinstance(term.rel, Rel) or term.rel.ref is None or term.unknowns != 1 or term.summed:
+            continue
+        start, end = closed.ends[term.rel.key]
+        if too_short(float(abs(nominal(end - start)))):
+            one, other = letters(desk, View.VELOCITY, term.rel.ref, term.rel.to).split()
+            desk.board.remark(
+                Words(
+                    f"${one}$、${other}$ 两点靠得很近，${term.symbol}$ ≈ 0。",
+                    f" The points ${one}$ and ${other}$ lie close together: ${term.symbol}$ ≈ 0.",
+                )
+            )
 
 
 def letters(desk: Desk, view: View, start: At | None, end: At) -> str:

@@ -16,7 +16,7 @@ from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
 from .lengths import write_lengths
-from .terms import known, normal, ref_at
+from .terms import known, normal, plain_symbol, ref_at
 
 _ONE_PLACE = 1e-6  # mm on paper: nearer points have no direction from one to the other
 
@@ -169,18 +169,15 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple
     p, x, ref = held.point, at.point, ref_at(desk, view, held, link)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)
-        return (_laid(desk, view, rel, link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
+        return (_laid(desk, view, rel, link, p, x, desk.turns[omega(link)].value),)
     n = normal(desk, at, held, link)
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)
-    return (
-        n,
-        _laid(desk, view, Rel(Kind.AT, desk.canonical(at), ref), link, p, x, f"$α_{link} l_{p}{x}$", accel.value),
-    )
+    return n, _laid(desk, view, Rel(Kind.AT, desk.canonical(at), ref), link, p, x, accel.value)
 
 
-def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:
+def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, rate: Reals) -> Term:
     """A vector perpendicular to PX of known magnitude and sense: ω l or α l."""
     length = desk.length(p, x)
     way = np.sign(rate)
@@ -193,7 +190,7 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
         rel=rel,
         symbol=desk.symbol(rel),
         direction=Words.same(f"⊥$ {p}{x}$"),
-        magnitude=text,
+        magnitude=f"${greek}_{link} {plain_symbol(length)}$",
         along=along[()],
         mm=desk.board.to_paper(view, size.value),
     )

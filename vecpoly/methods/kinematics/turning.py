@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import magnitude
+from ...algebra.quantity import Quantity, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
-from ...names import alpha, omega
+from ...names import alpha, ascii_key, omega
 from ...plane import Points, Reals, cross, nominal
 from ...plane.geometry import dot
 from ...words import Words
@@ -21,9 +21,11 @@ ALONG = 1e-9  # what a vector along a link has across it, over its length: nothi
 def angular_velocity(
     desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str
 ) -> None:
-    """ω = v / l from the relative velocity of `point` about `about`, v = μ_v × its length on paper."""
+    """ω = v / l from the relative velocity of `point` about `about`, v = μ_v × its length on paper; a velocity that was
+    computed and then laid off is not read back."""
     told = _begin(desk, View.VELOCITY, f"ω_{link}", ends, letters)
-    rate = _rate(desk, View.VELOCITY, f"ω_{link}", "rad/s", about, point, ends, letters)
+    size = desk.board.ledger.laid_off(View.VELOCITY, ascii_key(symbol))
+    rate = _rate(desk, View.VELOCITY, f"ω_{link}", "rad/s", about, point, ends, letters, size)
     desk.turns[omega(link)] = Turn(desk.board.conclude(omega(link).key, rate, "rad/s"))
     desk.board.remark(told + _sense(f"ω_{link}", symbol, point, nominal(rate), bool(told.en)))
 
@@ -72,13 +74,19 @@ def _begin(desk: Desk, view: View, name: str, ends: tuple[Points, Points], lette
 
 
 def _rate(
-    desk: Desk, view: View, name: str, unit: str, about: str, point: str, ends: tuple[Points, Points], letters: str
+    desk: Desk,
+    view: View,
+    name: str,
+    unit: str,
+    about: str,
+    point: str,
+    ends: tuple[Points, Points],
+    letters: str,
+    size: Quantity | None = None,
 ) -> Reals:
     board = desk.board
     none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
-    on_paper = board.measure(*ends, letters)
-    length = desk.length(about, point)
-    expr = board.mu(view) * on_paper / length
+    expr = (board.mu(view) * board.measure(*ends, letters) if size is None else size) / desk.length(about, point)
     if not none:
         board.write_worked(magnitude(name, 0, unit).node, expr, unit)
     way = _way(desk.towards(about, point), ends[1] - ends[0])

@@ -8,7 +8,7 @@ from typing import assert_never
 
 import numpy as np
 
-from ...algebra.formula import Row, Txt, row
+from ...algebra.formula import Node, Row, Txt, row
 from ...board.construction import Reading, View
 from ...board.paper.marks import Dot, Role
 from ...board.strokes import amount
@@ -151,13 +151,17 @@ def _told(named: Named, read: Mapping[str, Reals]) -> str:
 
 
 def _read(desk: Desk, driven: Driven, marked: Marked, keys: set[str]) -> dict[str, Reals]:
-    """The acute angles that are asked for, by protractor (deg)."""
+    """The acute angles that are asked for (deg): one by protractor; of the other it is the complement."""
     desk.board.remark(_both(driven, marked))
-    return {
-        named.key: _kept(desk, named, np.degrees(desk.board.gauge(0j, marked.force * np.conj(base))))
-        for named, base in ((driven.alpha, marked.way), (driven.gamma, marked.across))
-        if named.key in keys
-    }
+    found = dict[str, Reals]()
+    for named, base in ((driven.alpha, marked.way), (driven.gamma, marked.across)):
+        if named.key in keys and found:
+            found[named.key] = _complement(desk, named, driven.alpha.symbol, found[driven.alpha.key])
+        elif named.key in keys:
+            turned = np.degrees(desk.board.gauge(0j, marked.force * np.conj(base)))
+            value = 90.0 - np.abs(np.abs(turned) - 90.0)
+            found[named.key] = _kept(desk, named, value, Txt(f" = {float(amount(value)):.4g}°"))
+    return found
 
 
 def _both(driven: Driven, marked: Marked) -> Words:
@@ -176,10 +180,17 @@ def _both(driven: Driven, marked: Marked) -> Words:
     )
 
 
-def _kept(desk: Desk, named: Named, turned: Reals) -> Reals:
-    value = 90.0 - np.abs(np.abs(turned) - 90.0)
+def _complement(desk: Desk, named: Named, other: str, read: Reals) -> Reals:
+    """γ = 90° − α; where that is a right angle its way tells nothing more."""
+    value, size = 90.0 - read, f"{float(amount(read)):.4g}°"
+    end = Txt(f" = {float(amount(90.0 - read)):.4g}°")
+    way = (Txt(" = 90° − "), *row(other).items, Txt(f" = 90° − {size}")) if amount(read) else ()
+    return _kept(desk, named, value, *way, end)
+
+
+def _kept(desk: Desk, named: Named, value: Reals, *way: Node) -> Reals:
     degrees = amount(value)
-    text = Row((*row(named.symbol).items, Txt(f" = {float(degrees):.4g}°")))
+    text = Row((*row(named.symbol).items, *way))
     desk.board.write(text)
     desk.board.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=degrees, formula=text), value)
     return value

@@ -1,11 +1,13 @@
-"""Points of a body that only translates have one velocity, v_C = v_B3: it is worked out once, and once answered."""
+"""Points of a body that only translates have one velocity, v_C = v_B3, and links of a sliding pair one turn,
+ω_3 = ω_2: it is worked out once, and once answered."""
 
 from __future__ import annotations
 
 from cmath import isclose
 from collections.abc import Iterable, Mapping
 
-from ...algebra.formula import Node, Row, Txt, row
+from ...algebra.formula import Node, Row, Txt, plain, row
+from ...printed.told import EQUALS
 from ...solution import Answer, Solution
 from ...typeset.box import Rgb
 from ...words import Lang
@@ -13,15 +15,27 @@ from ..tables import inks_of
 from ..values import called
 from .line import result_of
 
+TURNS = ("rad/s", "rad/s^2")
 _SAME = 1e-9  # share by which one vector may differ from itself
 
 
 def is_same(one: Answer, other: Answer) -> bool:
-    """Whether both are one vector, by the drawing and exactly, read as one length."""
+    """Whether both are one vector, by the drawing and exactly, read as one length; or one turn of two links."""
+    if _turns_with(one, other) or _turns_with(other, one):
+        return True
     vectors = (one.drawn_vector, other.drawn_vector), (one.exact_vector, other.exact_vector)
     if (one.reading.mm, one.reading.unit) != (other.reading.mm, other.reading.unit) or one.is_place:
         return False
     return bool(one.reading.mm) and all(a and b and isclose(a, b, rel_tol=_SAME) for a, b in vectors)
+
+
+def _turns_with(one: Answer, other: Answer) -> bool:
+    """Whether the line of one turn says that it is the other: ω_3 = ω_2 = 1.995 rad/s."""
+    match one.reading.formula:
+        case Row((_, Txt(equal), as_found, Txt())) if equal == EQUALS and one.reading.unit in TURNS:
+            return one.reading.unit == other.reading.unit and plain(as_found) == plain(row(other.reading.symbol))
+        case _:
+            return False
 
 
 def twins(answers: Iterable[Answer], inks: Mapping[str, Rgb | None] | None = None) -> dict[str, Answer]:

@@ -19,9 +19,11 @@ _COLONS = ("：", ":")
 _MOST = 4  # lines in a sentence
 _UNDEFINED = " —"  # of a direction that vanished, which the sentence tells
 _WORKED, _NOTHING = 6, " = 0 "  # parts of a line symbol = formula = numbers = result; how one ends that vanishes
+_RATIO = 4  # parts of a line ω_2/ω_3 = numbers = result
 # numbers that work out what is plain: 0 × 2, (400 − 400); 1 × 0.08, (400 − 0)/400, 400/400
 _ZERO = re.compile(r"(?<![\d.])0(?![\d.])|\((\S+) − \1\)")
 _SEEN = re.compile(r"^1(\.0+)? × [\d.]+$|\((\S+) − 0\)/\(\2\)$|× \(([\d.]+)\)/\(\3\)$")
+_ONE = re.compile(r"^\((\S+)\)/\(\1\)$|\)/\(1\)$")  # of whatever others are like it: 0.31/0.31, 28/1
 _EQUAL, _INDEX = 3, re.compile(r"_\w+")  # lines that are told together; what differs in them
 _LINKS = 2  # signs of equality in R_32 = R_21 = 659 N
 
@@ -33,7 +35,7 @@ def displayed(step: Step, solution: Solution) -> tuple[Node, ...]:
         return ()
     told = [_once(line) for line in left]
     long = {_form(line) for line in told if not (_is_nothing(line) or _is_seen(line))}
-    return tuple(_plainly(line, _is_seen(line) and _form(line) not in long) for line in told)
+    return tuple(_plainly(line, _is_one(line) or (_is_seen(line) and _form(line) not in long)) for line in told)
 
 
 def measured_once(lines: Sequence[Node]) -> Iterator[Node]:
@@ -122,18 +124,34 @@ def _is_seen(line: Node) -> bool:
     return isinstance(line, Row) and bool(_form(line)) and bool(_SEEN.search(plain(line.items[-2])))
 
 
+def _is_one(line: Node) -> bool:
+    """Whether its numbers divide by one, or by themselves."""
+    return isinstance(line, Row) and len(line.items) >= _RATIO and bool(_ONE.search(plain(line.items[-2])))
+
+
 def _plainly(line: Node, seen: bool) -> Node:
     """F = W ω² = 0 N of F = W ω² = 0 × 377² = 0 N: a factor that vanishes needs no numbers; seen: nor does one of 1."""
-    if not isinstance(line, Row) or len(line.items) < _WORKED:
+    if not isinstance(line, Row) or (len(line.items) < _WORKED and not seen):
         return line
     short = bool(_ZERO.search(plain(line.items[-2]))) if _is_nothing(line) else seen
     return Row((*line.items[:-3], line.items[-1])) if short else line
 
 
 def _left(step: Step, solution: Solution) -> tuple[Node, ...]:
-    """Without those that the box of answers tells."""
-    told = list(_told_by_box(step, solution))
-    return tuple(line for line in step.formulas if not any(line is one for one in told))
+    """Without those that the box of answers tells, zeros that a sentence has told up to here, what was measured of
+    candidates that are rejected, and, where others are left, lines that an earlier step has worked out."""
+    told = list(_told_by_box(step, solution)) + list(_of_rejected(step, solution))
+    before = [one for one in solution.construction.steps if one.number < step.number]
+    said = [bare(one.words.zh) for one in (*before, step)]
+    left = [
+        line
+        for line in step.formulas
+        if not any(line is one for one in told)
+        and not (_is_nothing(line) and any(_is_said(line, text) for text in said))
+    ]
+    worked = {plain(line) for one in before for line in one.formulas if _form(line)}
+    new = [line for line in left if plain(line) not in worked]
+    return tuple(new or left)
 
 
 def with_results(text: str, step: Step, solution: Solution, lang: Lang) -> str:
@@ -175,15 +193,25 @@ def _told_by_box(step: Step, solution: Solution) -> Iterator[Node]:
             yield line
 
 
+def _of_rejected(step: Step, solution: Solution) -> Iterator[Node]:
+    """The lines of candidates that are rejected beside others that are not: l_AB with the number (3) above."""
+    kept = [one for one in solution.construction.candidates if one.reason is None]
+    lost = [f"^({one.number})" for one in solution.construction.candidates if one.reason is not None]
+    for line in step.formulas if kept else ():
+        if any(number in plain(line).partition(EQUALS)[0] for number in lost):
+            yield line
+
+
 def _is_endless(answer: Answer) -> bool:
     """Whether it is a centre at infinity, of which the line tells the direction."""
     return answer.is_place and answer.drawn_vector is None
 
 
 def _is_said(line: Node, text: str) -> bool:
-    """Whether it is a zero that the sentence has already: so α_2 = 0."""
-    symbol, _, size = plain(line).partition(EQUALS)
-    return size.split(" ")[0] == "0" and f"{symbol}{EQUALS}0" in bare(text)
+    """Whether it is a zero that the sentence has already: so α_2 = 0, or R_12 = R_32 = 0."""
+    symbol, *_, size = plain(line).split(EQUALS)
+    zero = re.compile(rf"(?<![\w,′]){re.escape(symbol)} =(?: [\w,′^{{}}]+ =)* 0(?![.\d])")
+    return size.split(" ")[0] == "0" and bool(zero.search(bare(text)))
 
 
 def _inline(line: Node) -> str:

@@ -77,8 +77,8 @@ def _centre(fig: CurvatureFigure, letter: str) -> None:
         Words(
             f"求 ${shown}$ 轨迹的曲率中心：过 ${fig.p}$ 作射线，使{known.zh}到它的角等于 $t$ 到 ${fig.p}{shown}$ "
             f"的角" + _cut(ray, shown, q, o, fig.p)[0],
-            f"The centre of curvature of the path of ${shown}$: through ${fig.p}$ a line to which {known.en} makes the "
-            f"angle of $t$ to ${fig.p}{shown}$" + _cut(ray, shown, q, o, fig.p)[1],
+            f"To find the centre of curvature of the path of ${shown}$, draw through ${fig.p}$ the line to "
+            f"which {known.en} makes the angle of $t$ to ${fig.p}{shown}$" + _cut(ray, shown, q, o, fig.p)[1],
         ),
         fig.pane,
     )

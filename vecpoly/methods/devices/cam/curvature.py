@@ -106,7 +106,7 @@ def _judged(bench: Bench, cam: Cam, rho: Quantity) -> None:
     )
     roller = magnitude("r_r", 1e3 * cam.follower.radius, "mm")
     left = bench.worked(RHO_PROFILE, rho - roller)
-    board.step(Words("检查失真：", "Is it undercut?"))
+    board.step(Words("检查失真：", "Check for undercut."))
     sharp, hit = corners(board, place_of(cam), cam), interferes(board, cam)
     spoilt = np.asarray(left.value) < 0 if not (sharp or hit) else np.full_like(np.asarray(left.value), 1.0) > 0
     bench.judged(UNDERCUT, spoilt, _verdict(float(nominal(left.value)), sharp, hit, cam), left.value)

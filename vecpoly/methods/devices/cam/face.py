@@ -42,7 +42,7 @@ def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot:
     osculating_circle(board, place, centre, touch)
     ahead = float(nominal(dot(it.way, touch - centre))) >= 0
     rho = length(bench, RHO, place, centre, touch, "K B", 1 if ahead else -1)
-    board.step(Words("检查失真：", "Is it undercut?"))
+    board.step(Words("检查失真：", "Check for undercut."))
     return rho
 
 
@@ -88,7 +88,7 @@ def _told(cam: Cam, spot: Spot) -> Words:
         "的内侧）。切点 $B$ 到 $K$ 的距离：",
         "The normal is parallel to the guide through the instant centre $P$ ($OP$ = d$s$/d$φ$); on it lies the centre "
         "of curvature $K$ with $PK$ = d²$s$/d$φ$², inwards where the acceleration points outwards. Its distance from "
-        "the contact $B$:",
+        "the contact $B$ is:",
     )
 
 

@@ -111,7 +111,7 @@ def _touching(along: complex, way: int) -> Merit:
 
 def _apex(bench: Bench, cam: Cam, bounds: tuple[Line, Line]) -> Points:
     board = bench.board
-    board.step(Words("两线交于 $D$。$O$ 取在 $D$ 时：", "The lines meet at $D$. With $O$ at $D$:"), LOOP)
+    board.step(Words("两线交于 $D$。$O$ 取在 $D$ 时：", "The lines meet at $D$. With $O$ at $D$ these are:"), LOOP)
     apex = board.meet(*bounds, Words("两条许用压力角界线", "the two bounds"))
     for line, label in zip(bounds, ("[α_1]", "[α_2]"), strict=True):
         end = line.at + (apex - line.at) * BELOW
@@ -142,7 +142,7 @@ def _central(bench: Bench, bounds: tuple[Line, Line]) -> None:
     board.step(
         Words(
             "对心布置（$e$ = 0）时，取两线与纵轴交点中的低者：",
-            "Without offset ($e$ = 0), the lower meeting with the vertical axis:",
+            "Without offset ($e$ = 0), take the lower of the two points in which the lines meet the vertical axis:",
         ),
         LOOP,
     )

@@ -50,8 +50,8 @@ def nearest(board: Board, bounds: tuple[Line, Line], apex: Points, third: Line |
     below = ("两线", "both lines") if third is None else ("三线", "all three lines")
     board.step(
         Words(
-            f"{below[0]}之下的区域内离 $B_0$ 最近的点：",
-            f"The point of the region below {below[1]} that is nearest to $B_0$: ",
+            f"求{below[0]}之下的区域内离 $B_0$ 最近的点：",
+            f"Find the point of the region below {below[1]} that is nearest to $B_0$: ",
         )
         + (_feet_out(letter) if which is None else _foot_in(which)),
         LOOP,

@@ -30,7 +30,7 @@ def crankshaft(bench: Bench, engine: InlineEngine) -> None:
             "按 $μ_l$ 画出曲轴的轴向简图（缸心线向上，曲柄画其投影，半径方向不按比例），点画线为各缸平面，"
             "虚线为中间平面。",
             "Draw the crankshaft along its axis to the scale $μ_l$ (cranks by their projections, radial "
-            "dimensions not to scale); chain lines: the planes of the cylinders, dashed: the middle plane.",
+            "dimensions not to scale); chain lines are the planes of the cylinders, the dashed one the middle plane.",
         ),
         view,
     )

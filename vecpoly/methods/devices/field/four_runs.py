@@ -155,7 +155,7 @@ def _why_both(centres: Sequence[Points]) -> Words:
         )
     )
     return (
-        Words("只有两次试重：", "Only two trial runs: ")
+        Words("只有两次试重：", "There were only two trial runs: ")
         + where
         + Words(
             "；两个解都符合读数（只测大小，不测相位），须在该直线以外的方位再试一次才能取舍。",

@@ -62,7 +62,10 @@ def _sought(bench: Bench, wheel: Flywheel, swing: Quantity, omega: Quantity, has
         other = turns_a_minute("n_2", abs(wheel.shaft.si))
         n = turns_a_minute("n", wheel.speed)
         board.step(
-            Words("飞轮装在转速为 $n_2$ 的轴上时，动能不变：", "On the shaft of speed $n_2$, with the same energy:")
+            Words(
+                "飞轮装在转速为 $n_2$ 的轴上时，动能不变：",
+                "On the shaft of speed $n_2$ the flywheel must have the same energy:",
+            )
         )
         bench.worked(asked.J_SHAFT, found * n.squared() / other.squared())
     return found

@@ -23,7 +23,7 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
     """m = 4 J_F / D²; of its section b h = m / (π D ρ); the speed of its outside; the annulus as it really is."""
     board = bench.board
     board.section(Words("轮缘", "Rim"))
-    board.step(Words("轮缘质量集中在平均直径 $D$ 上：", "With the mass of the rim on its mean diameter $D$:"))
+    board.step(Words("设轮缘质量集中在平均直径 $D$ 上：", "Let the mass of the rim lie on its mean diameter $D$:"))
     d = magnitude("D", rim.D.si, "m")
     mass = bench.worked(asked.RIM_MASS, FOUR * inertia / d.squared())
     section = board.compute("S", mass / (PI * d * magnitude("ρ", rim.density.si, "kg/m^3")), "m^2")
@@ -35,7 +35,7 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
     board.step(
         Words(
             "按真实的圆环校核转动惯量（$R_1$、$R_2$ 为轮缘的内、外半径）：",
-            "The annulus as it is, with $R_1$ and $R_2$ its radii inside and outside:",
+            "Check the moment of inertia of the actual annulus, with $R_1$ and $R_2$ its inner and outer radii:",
         )
     )
     inner, outer = (magnitude(f"R_{n}", rim.D.si / 2 + sign * h.value / 2e3, "m") for n, sign in ((1, -1), (2, 1)))

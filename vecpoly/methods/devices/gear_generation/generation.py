@@ -75,7 +75,9 @@ def _circles(bench: Bench, gear: GearGeneration, mm: float) -> tuple[float, floa
     """Reference, tip and root circle; gives the first two radii (m)."""
     board = bench.board
     board.section(Words("齿轮坯与齿条", "Blank and rack"))
-    board.step(Words("作分度圆、齿顶圆和齿根圆：", "Draw reference circle, tip circle and root circle:"), VIEW)
+    board.step(
+        Words("作分度圆、齿顶圆和齿根圆：", "Draw the reference circle, the tip circle and the root circle:"), VIEW
+    )
     m, z, x = magnitude("m", 1e3 * gear.m.si, "mm"), magnitude("z", float(gear.z), ""), magnitude("x", gear.x, "")
     ha, c = magnitude("h_a^{*}", gear.ha.si, ""), magnitude("c^{*}", gear.c.si, "")
     r = bench.worked(R, m * z / TWO)

@@ -33,7 +33,7 @@ def draw_incline(bench: Bench, device: Incline) -> None:
         Words(
             "画出简图（长度不按比例）：滑块 1 在斜面 2 上，受重力 $Q$ 和与水平成 $β$ 角的力 $F$。求摩擦角：",
             "Sketch, lengths not to scale: block 1 on the plane 2 under its weight $Q$ and the "
-            "force $F$ at $β$ to the horizontal. The friction angle:",
+            "force $F$ at $β$ to the horizontal. The friction angle is:",
         ),
         View.MECHANISM,
     )

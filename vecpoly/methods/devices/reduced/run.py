@@ -43,7 +43,7 @@ def _rope(bench: Bench, train: ReducedTrain, name: str) -> None:
     """The rope carries the weight and accelerates it."""
     shaft = train.shafts[name]
     assert shaft.lifts is not None and shaft.drum is not None
-    bench.board.step(Words("起动时绳的拉力：", "The tension of the rope while it starts:"))
+    bench.board.step(Words("起动时绳的拉力为：", "The tension of the rope while it starts is:"))
     alpha = magnitude(alpha_of(name).symbol, bench.board.found[alpha_of(name).key], "rad/s^2")
     a = bench.board.compute("a", alpha * magnitude("R", shaft.drum.si / 2, "m"), "m/s^2")
     bench.worked(ROPE, magnitude("m", shaft.lifts.si, "kg") * (magnitude("g", G, "m/s^2") + a))

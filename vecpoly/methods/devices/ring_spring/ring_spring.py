@@ -49,7 +49,7 @@ def draw_ring_spring(bench: Bench, device: RingSpring) -> None:
         Words(
             "画出简图（长度不按比例）：$F$ 压楔块 1 向下，两侧楔块 2、3 克服弹簧力 $Q$ 向外移动，4 为机架；"
             "各斜面的法线与 $F$ 成 $α$ 角。",
-            "Sketch, lengths not to scale: $F$ pushes wedge 1 down, the side wedges 2 and 3 move "
+            "Sketch, lengths not to scale: $F$ pushes wedge 1 down, and the side wedges 2 and 3 move "
             "out against the spring forces $Q$; 4 is the frame. The normals of all faces make the "
             "angle $α$ with $F$.",
         ),

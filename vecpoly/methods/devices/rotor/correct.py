@@ -44,7 +44,7 @@ def _done(bench: Bench, rotor: Rotor, end: str, polygon: Polygon, found: Quantit
     assert plane.r is not None
     bench.board.step(
         in_plane(end, _NEEDED if plane.hole is None else _REMOVED),
-        again=Words(f"同样，在平面 ${end}$ 内：", f"Likewise in plane ${end}$:"),
+        again=Words(f"同样求平面 ${end}$ 内所需的质量：", f"The mass for plane ${end}$ is found in the same way:"),
     )
     unit = rotor.weighing
     needed = bench.worked(weight(end, unit), found / radius("r_b", plane.r.si, unit))

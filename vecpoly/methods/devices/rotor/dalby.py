@@ -119,7 +119,7 @@ def _products(
         ),
     )
     laid = [_laid(bench, rotor, name, sizes, which, solution) for name in rotor.masses if name != first]
-    closing = _closing(first, rotor)
+    closing = _closing(first, which, rotor)
     polygon = chain(bench, place, laid, closing)
     size = read_closing(bench, polygon, closing, found_bearing(first, which))
     mass = rotor.masses[first]
@@ -127,8 +127,10 @@ def _products(
     bench.worked(found_mass(first, which, unit), size / radius(f"r_{{{first}}}", mass.r.si, unit))
 
 
-def _closing(first: str, rotor: Rotor) -> Named:
-    return Named(f"W_{first}", f"W_{{{first}}}", rotor.weighing.product, True)
+def _closing(first: str, which: str, rotor: Rotor) -> Named:
+    """W_A, or of two solutions W_A,1."""
+    own = f"{first},{which[1:]}" if which else first
+    return Named(f"W_{first}{which}", f"W_{{{own}}}", rotor.weighing.product, True)
 
 
 def _laid(bench: Bench, rotor: Rotor, name: str, sizes: Mapping[str, Quantity], which: str, solution: Solution) -> Laid:

@@ -18,7 +18,7 @@ from ....plane import Points, nominal
 from ....words import Words
 from ..bench import Bench
 from ..equilibrium import signed
-from .polygon import Polygon, heading, in_plane
+from .polygon import Polygon, free_letters, heading, in_plane
 from .products import radius
 from .rounding import rounded_shares
 from .views.sketch import placed
@@ -31,23 +31,22 @@ def at_places(bench: Bench, rotor: Rotor, end: str, polygon: Polygon) -> Points:
     plane, board = rotor.planes[end], bench.board
     if float(nominal(np.abs(polygon.tip))) <= polygon.least:
         raise nothing_to_share(end)
-    at = _chosen(plane, -complex(nominal(polygon.tip)))
+    at, letter = _chosen(plane, -complex(nominal(polygon.tip))), free_letters(bench, polygon.place)[0]
     board.step(
         in_plane(
             end,
             Words(
-                f"只能装在 {at[0]:g}° 和 {at[1]:g}° 处。过 $W_b$ 的两端作这两个方向的平行线，交于 $e$，$W_b$ 即分解为"
-                "沿这两个方向的分量；"
-                "负值表示在该处去重。",
+                f"只能装在 {at[0]:g}° 和 {at[1]:g}° 处。过 $W_b$ 的两端作这两个方向的平行线，交于 ${letter}$，$W_b$ "
+                "即分解为沿这两个方向的分量；负值表示在该处去重。",
                 f"Weights can only sit at {at[0]:g}° and {at[1]:g}°. Parallels to these directions through the ends "
-                "of $W_b$ "
-                "meet at $e$ and resolve $W_b$ into its components; a negative one means that mass is removed there.",
+                f"of $W_b$ meet at ${letter}$ and resolve $W_b$ into its components; a negative one means that mass is "
+                "removed there.",
             ),
         ),
         polygon.place,
     )
-    corner = _corner(bench, polygon, at)
-    sides = ((polygon.tip, corner, f"{polygon.letter} e"), (corner, 0j * corner, "e O"))
+    corner = _corner(bench, polygon, at, letter)
+    sides = ((polygon.tip, corner, f"{polygon.letter} {letter}"), (corner, 0j * corner, f"{letter} O"))
     shares, weights = [], []
     for which, (turn, (start, stop, letters)) in enumerate(zip(at, sides, strict=True), 1):
         bench.stated(share_bearing(end, which), turn + 0.0 * np.abs(corner))
@@ -75,7 +74,7 @@ def _chosen(plane: RotorPlane, needed: complex) -> tuple[float, float]:
     return round((turn + 1e-9 + ahead[-1]) % 360.0, 9), round((turn + 1e-9 + ahead[0]) % 360.0, 9)
 
 
-def _corner(bench: Bench, polygon: Polygon, at: tuple[float, float]) -> Points:
+def _corner(bench: Bench, polygon: Polygon, at: tuple[float, float], letter: str) -> Points:
     board, place = bench.board, polygon.place
     one = board.parallel(polygon.tip, heading(at[0]), key=f"{place.name}_1")
     other = board.parallel(0j * polygon.tip, heading(at[1]), key=f"{place.name}_2")
@@ -84,8 +83,8 @@ def _corner(bench: Bench, polygon: Polygon, at: tuple[float, float]) -> Points:
     corner = board.meet(one, other, Words("两个允许的方位", "the two places"))
     board.rule(place, one, corner)
     board.rule(place, other, corner)
-    corner = board.locate(place, "e", corner)
-    board.plot(place, corner, "e")
+    corner = board.locate(place, letter, corner)
+    board.plot(place, corner, letter)
     return corner
 
 

@@ -11,6 +11,7 @@ from ....algebra.quantity import Quantity, number
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
+from ....board.place import view_of
 from ....devices.balancing.asked import CLOSES
 from ....foundation.slotted import dataclass
 from ....names import Named
@@ -21,7 +22,8 @@ from ....words import Words
 from ..bench import Bench
 from ..inclined import row_of
 
-LETTERS = "abcdefghijklmnqrstuvw"
+_ROW = "abcdefghkmnqrstuvw"
+_LETTERS = (*_ROW, *(f"{letter}_{turn}" for turn in range(1, 10) for letter in _ROW))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,6 +55,12 @@ def heading(degrees: Reals) -> Points:
     return along
 
 
+def free_letters(bench: Bench, place: Pane) -> tuple[str, ...]:
+    """The letters that stand on no polygon of the sheet: the two of a side name one side."""
+    taken = bench.board.lettered(view_of(place))
+    return tuple(letter for letter in _LETTERS if letter not in taken)
+
+
 def chain(bench: Bench, place: Pane, laid: Sequence[Laid], closing: Named, whole: float | None = None) -> Polygon:
     """Draw the products that have a length, and the closing side from the last tip back to the pole.
 
@@ -60,13 +68,14 @@ def chain(bench: Bench, place: Pane, laid: Sequence[Laid], closing: Named, whole
     """
     board = bench.board
     drawn = [one for one in laid if abs(float(nominal(board.to_paper(place, one.size)))) > NO_LENGTH]
-    terms = [_term(bench, place, one, LETTERS[i]) for i, one in enumerate(drawn)]
+    letters = free_letters(bench, place)
+    terms = [_term(bench, place, one, letter) for one, letter in zip(drawn, letters, strict=False)]
     last = Term(rel=closing, symbol=closing.symbol, direction=UNKNOWN, magnitude="?")
     equation = Equation(left=(*terms, last))
     board.equate(equation.table())
     board.plot(place, 0j, "O", Dot.POLE)
     start, _ = close(board, place, 0j, equation).ends[closing.key]
-    letter = LETTERS[len(drawn) - 1] if drawn else "O"
+    letter = letters[len(drawn) - 1] if drawn else "O"
     return Polygon(place=place, tip=start, letter=letter, least=_least(bench, place, laid, whole))
 
 
@@ -88,7 +97,7 @@ def summed(bench: Bench, place: Pane, laid: Sequence[Laid], total: Named | None,
             continue
         term = _term(bench, place, one, "")
         assert term.along is not None and term.mm is not None
-        letter = LETTERS[(LETTERS.index(letter) + 1) if letter in LETTERS else 0]
+        letter = free_letters(bench, place)[0]
         end = board.locate(place, letter, board.lay_off(tip, term.along, term.mm, key=one.named.key if known else ""))
         board.arrow(place, tip, end, Role.GIVEN, key=one.named.key, label=one.named.symbol)
         board.plot(place, end, letter)
@@ -126,7 +135,7 @@ def stated_bearing(bench: Bench, named: Named, vector: Points, least: float) -> 
         bench.board.remark(
             Words(
                 f"（${named.symbol}$ 无意义：封闭边为零。）",
-                f" (The closing side vanishes, ${named.symbol}$ has no meaning.)",
+                f" (The closing side vanishes; ${named.symbol}$ has no meaning.)",
             )
         )
         bench.stated(named, np.nan * np.abs(vector), row_of(sym(named.symbol), " —"))

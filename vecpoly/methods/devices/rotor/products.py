@@ -28,8 +28,8 @@ def products(bench: Bench, rotor: Rotor) -> dict[str, Quantity]:
             f"算出各质量的质径积 $W$ = $m r${'：' if told else '，列表。'}"
             + ("孔、槽处缺少质量，视为负质量，其质径积的方向与孔、槽的方位相反。" * holes),
             f"Compute the product $W$ = $m r$ of every mass{':' if told else '.'}"
-            + " At a hole or a keyway mass is missing: it counts as a negative mass, its product points the opposite "
-            "way." * holes,
+            + " At a hole or a keyway mass is missing: it counts as a negative mass, and its product points "
+            "the opposite way." * holes,
         )
     )
     found = {name: _product(bench, name, mass, unit) for name, mass in rotor.masses.items() if "m" not in mass.unknown}

@@ -13,7 +13,7 @@ from ....names import Named
 from ....plane import Points, Reals, nominal
 from ....words import Words, joined
 from ..bench import Bench
-from .polygon import Polygon, heading
+from .polygon import Polygon, free_letters, heading
 
 AS_NONE = 1e-9
 
@@ -48,13 +48,13 @@ def _laid(
     rounded = [np.sign(mass) * np.floor(np.abs(mass) / step + 0.5) * step for _, mass in weights]
     listed = "、".join(f"{number(float(nominal(mass)))} {unit.mass}" for mass in rounded)
     symbols = [one.symbol.replace("W_", "W′_", 1) for one in products]
-    named = joined([Words.same(f"${symbol}$") for symbol in symbols])
+    named, letter = joined([Words.same(f"${symbol}$") for symbol in symbols]), free_letters(bench, polygon.place)[0]
     board.step(
         Words(
             f"配重按 {plane.step.text} 取整：{listed}。把取整后的质径积 {named.zh} 自末端起首尾相接，"
-            "自 $O$ 到其末端 $q$ 的矢量即剩余不平衡量：",
+            f"自 $O$ 到其末端 ${letter}$ 的矢量即剩余不平衡量：",
             f"The weights come in steps of {plane.step.text}: take {listed.replace('、', ' and ')}. Lay off "
-            f"{named.en} from the last tip; the vector from $O$ to their end $q$ is the residual unbalance:",
+            f"{named.en} from the last tip; the vector from $O$ to their end ${letter}$ is the residual unbalance:",
         ),
         polygon.place,
     )
@@ -64,10 +64,10 @@ def _laid(
         there = board.lay_off(here, along, board.to_paper(polygon.place, mass * arm))
         board.arrow(polygon.place, here, there, Role.GIVEN, label=symbol)
         here = there
-    here = board.locate(polygon.place, "q", here)
-    board.plot(polygon.place, here, "q", Dot.POINT)
+    here = board.locate(polygon.place, letter, here)
+    board.plot(polygon.place, here, letter, Dot.POINT)
     left = residual(end, unit)
     if float(nominal(np.abs(here))) > NO_LENGTH:
         board.arrow(polygon.place, 0j * here, here, Role.RESULT, key=left.key, label=left.symbol)
-    bench.measured(left, polygon.place, 0j * here, here, "O q")
+    bench.measured(left, polygon.place, 0j * here, here, f"O {letter}")
     return here

@@ -27,7 +27,7 @@ def in_one_plane(bench: Bench, rotor: Rotor, sizes: Mapping[str, Quantity]) -> N
             f"静平衡条件是各质径积的矢量和为零。自极点 $O$ 按 ${symbol}$ 依次首尾相接作各质径积矢量，自末端指向 $O$ "
             "的封闭边"
             "即平衡质径积 $W_b$；量其长度和方向：",
-            "Static balance: the vector sum of all products is zero. From the pole $O$ lay the products off head to "
+            "For static balance the vector sum of all products is zero. From the pole $O$ lay the products off head to "
             f"tail to the scale ${symbol}$; the closing side, from the last tip back to $O$, is the balancing product "
             "$W_b$. Measure its length and its direction:",
         ),

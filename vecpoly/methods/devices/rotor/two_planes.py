@@ -111,7 +111,9 @@ def _plane(bench: Bench, rotor: Rotor, end: str, laid: list[Laid], whole: float)
             "Read it off:",
         ),
         place,
-        again=Words(f"同样作平面 ${end}$ 的多边形，量得：", f"Likewise for plane ${end}$:"),
+        again=Words(
+            f"同样作平面 ${end}$ 的多边形，量得：", f"Draw the polygon of plane ${end}$ in the same way and read off:"
+        ),
     )
     polygon = chain(bench, place, laid, closing, whole)
     return polygon, read_closing(bench, polygon, closing, bearing(end))

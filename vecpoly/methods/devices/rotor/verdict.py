@@ -16,12 +16,14 @@ from .polygon import Polygon
 
 NONE = Words("转子已动平衡。", "The rotor is in dynamic balance.")
 COUPLE = Words(
-    "静平衡而不动平衡，为力偶不平衡：两平面内所需的质径积等值反向。",
-    "Static balance without dynamic balance: a couple unbalance. What the two planes need is equal and opposite.",
+    "转子静平衡而不动平衡，为力偶不平衡：两平面内所需的质径积等值反向。",
+    "The rotor is in static but not in dynamic balance: this is a couple unbalance. What the two planes need is equal "
+    "and opposite.",
 )
 BOTH = Words(
-    "静、动都不平衡，且两平面内的矢量不共线：动不平衡。",
-    "Neither static nor dynamic balance, and the vectors of the two planes are not parallel: a dynamic unbalance.",
+    "转子静、动都不平衡，且两平面内的矢量不共线，为动不平衡。",
+    "The rotor is in neither static nor dynamic balance, and the vectors of the two planes are not parallel: this is a "
+    "dynamic unbalance.",
 )
 
 
@@ -41,8 +43,8 @@ def told_kind(bench: Bench, rotor: Rotor, whole: Polygon, polygons: Mapping[str,
     static = np.abs(whole.tip) <= closed
     dynamic = (np.abs(one) <= closed) & (np.abs(other) <= closed)
     yes, no = (
-        Words("和为零：静平衡。", "The sum is zero: static balance."),
-        Words("和不为零：静不平衡。", "The sum is not zero: static unbalance."),
+        Words("和为零，转子静平衡。", "The sum is zero: the rotor is in static balance."),
+        Words("和不为零，转子静不平衡。", "The sum is not zero: the rotor is statically unbalanced."),
     )
     is_static, is_dynamic = bool(nominal(static)), bool(nominal(dynamic))
     bench.judged(STATIC, static, yes if is_static else no, whole.tip)

@@ -75,8 +75,8 @@ def _efficiency(bench: Bench, jack: Thread, m1: Quantity, m2: Quantity) -> Quant
     """M = M_1 + M_2; M_0 = Q d_2 tan α / 2 would do without friction; η = M_0 / M."""
     bench.board.step(
         Words(
-            "提升重物所需的总力矩 $M$，以及不计摩擦时的理想力矩 $M_0$：",
-            "The moment $M$ that lifts the load, and the ideal moment $M_0$ without friction:",
+            "提升重物所需的总力矩 $M$ 和不计摩擦时的理想力矩 $M_0$ 为：",
+            "The moment $M$ that lifts the load and the ideal moment $M_0$ without friction are:",
         )
     )
     whole = bench.worked(RATIOS[2], m1 + m2)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ....algebra.quantity import Times, magnitude
+from ....algebra.quantity import Expr, Times, magnitude
 from ....board.construction import View
 from ....devices.structure import Structure
 from ....devices.structure_pairs import FRAME, Chain, Form, Pair
@@ -54,14 +54,13 @@ def remedies(bench: Bench, device: Structure, found: Count) -> None:
         draw_chain(board, place, device, remedy.chain, drivers)
         counted = count(remedy.chain, drivers)
         n, low, high = len(remedy.chain.links), remedy.chain.lower, remedy.chain.higher
-        board.formula(
-            "F",
+        freedom: Expr = (
             Times(3, magnitude("n", float(n), ""))
             - Times(2, magnitude("p_L", float(low), ""))
             - magnitude("p_H", float(high), "")
-            - magnitude("F′", float(len(counted.rollers)), ""),
-            "",
         )
+        local = magnitude("F′", float(len(counted.rollers)), "")
+        board.formula("F", freedom - local if counted.rollers else freedom, "")
 
 
 def _counted(chain: Chain) -> Words:
@@ -71,7 +70,7 @@ def _counted(chain: Chain) -> Words:
         if rolls
         else Words.same("")
     )
-    return turns + Words("。自由度为：", ". Its degree of freedom:")
+    return turns + Words("。自由度为：", ". Its degree of freedom is:")
 
 
 def _working(device: Structure, drivers: tuple[str, ...]) -> tuple[Remedy, ...]:

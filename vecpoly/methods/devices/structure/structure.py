@@ -3,6 +3,8 @@ replacement of higher pairs, Assur groups, class."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from ....algebra.quantity import Expr, Quantity, Times, magnitude
 from ....board.construction import Pane, View
 from ....board.otherwise.slip import Chance, Mistake
@@ -100,7 +102,9 @@ def _freedom(bench: Bench, device: Structure, found: Count, place: Pane) -> None
     )
     local, redundant = _local(bench, device, found), _redundant(bench, found)
     board.step(Words("机构的自由度为：", "The degree of freedom is:"))
-    bench.worked(F, Times(3, n) - Times(2, low) - high - local + redundant)
+    freedom: Expr = Times(3, n) - Times(2, low) - high  # and of what there is none the formula says nothing
+    freedom = freedom - local if np.any(local.value) else freedom
+    bench.worked(F, freedom + redundant if np.any(redundant.value) else freedom)
     if found.rollers or found.repeated:
         _check(bench, found)
 

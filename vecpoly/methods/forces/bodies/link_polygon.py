@@ -1,11 +1,11 @@
 """The force polygon of one link: its known forces head to tail,
-the unknown ones closing it, letters a b c ... at the corners."""
+the unknown ones closing it, letters a b c ... at the corners; the next polygon goes on with d e f ..."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ....board.construction import Pane
+from ....board.construction import Pane, View
 from ....board.paper.marks import Dot
 from ....plane import Reals, nominal
 from ....vector.close import close
@@ -16,8 +16,15 @@ from ..lines.arms import newtons
 from ..lines.resultant import Resultant
 from ..state import Statics
 
-_ROW = "abcdefghklmnqrstuvw"
-LETTERS = (*_ROW, *(f"{letter}_{turn}" for turn in range(1, 10) for letter in _ROW))  # of as many corners as need be
+_ROW = "abcdefgklmnqrstuvw"
+_LETTERS = (*_ROW, *(f"{letter}_{turn}" for turn in range(1, 10) for letter in _ROW))  # of as many corners as need be
+
+
+def corner_letters(st: Statics, pane: Pane | None = None) -> tuple[str, ...]:
+    """The letters of the corners of a polygon (`pane`, where it is begun): none that another polygon has, so that the
+    two letters of a side name one side; without friction, where friction is to follow, a_0 b_0 c_0 ..."""
+    taken, zero = st.board.lettered(View.FORCE, besides=pane), "_0" if st.preliminary else ""
+    return tuple(letter for one in _LETTERS if (letter := one + zero) not in taken)
 
 
 def pane_of(st: Statics, link: str) -> Pane:
@@ -32,6 +39,7 @@ def draw_polygon(
     """ΣF = 0 drawn into the step that is open: where every unknown force stands, by its key.
     figure: another than the link's."""
     pane, n = figure or pane_of(st, link), len(load.forces)
+    letters = corner_letters(st, pane)
     known = [
         Term(
             rel=f.named,
@@ -39,23 +47,23 @@ def draw_polygon(
             direction=f.direction,
             magnitude=f.size,
             vector=f.vector,
-            tip=LETTERS[i + 1],
+            tip=letters[i + 1],
         )
         for i, f in enumerate(load.forces)
     ]
     eq = Equation(left=(*known, *unknown), right=())
     st.board.equate(eq.table())
-    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
-    ends = close(st.board, pane, 0j, eq, corner=LETTERS[n + 1]).ends
+    st.board.plot(pane, 0j, letters[0], Dot.POINT)
+    ends = close(st.board, pane, 0j, eq, corner=letters[n + 1]).ends
     found: dict[str, Drawn] = {}
     for i, term in enumerate(unknown, start=n):
         start, end = ends[term.rel.key]
         last = i == n + len(unknown) - 1
         found[term.rel.key] = Drawn(
-            place=pane, start=start, end=end, letters=f"{LETTERS[i]} {LETTERS[0] if last else LETTERS[i + 1]}"
+            place=pane, start=start, end=end, letters=f"{letters[i]} {letters[0] if last else letters[i + 1]}"
         )
         if not last:
-            st.board.plot(pane, complex(nominal(end)), LETTERS[i + 1], Dot.POINT)
+            st.board.plot(pane, complex(nominal(end)), letters[i + 1], Dot.POINT)
     return found
 
 

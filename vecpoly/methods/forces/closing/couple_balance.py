@@ -111,7 +111,7 @@ def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points
     (held, by), (line, at, across) = who, where
     board, link, named = st.board, held.link, st.named(by, held.link)
     letter = arm_about_point(named.symbol)
-    arm = board.compute(letter, board.mu(View.MECHANISM) * board.measure(at, across, letter), "m")
+    arm = board.mu(View.MECHANISM) * board.measure(at, across, letter)
     size = board.compute(named.symbol, magnitude(_couple_symbol(st, link), np.abs(moment), "N·m") / arm, "N")
     vector = line.along * st.mm(size.value)
     board.join(View.MECHANISM, at, across, st.ruled(Role.CONSTRUCTION))

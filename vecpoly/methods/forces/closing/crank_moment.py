@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....algebra.formula import sym
-from ....algebra.quantity import Quantity, magnitude
+from ....algebra.quantity import Product, Quantity, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
@@ -124,9 +124,9 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     st.balance = signed
 
 
-def _arm(st: Statics, at: Points, across: Points) -> Quantity:
-    letter = _letter(st)
-    return st.board.compute(letter, st.board.mu(View.MECHANISM) * st.board.measure(at, across, letter), "m")
+def _arm(st: Statics, at: Points, across: Points) -> Product:
+    """The arm as it stands in the line of the moment: μ_l times its length on paper, which bears its letter."""
+    return st.board.mu(View.MECHANISM) * st.board.measure(at, across, _letter(st))
 
 
 def _letter(st: Statics) -> str:

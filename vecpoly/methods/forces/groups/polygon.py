@@ -8,6 +8,8 @@ Then R_pj joins X to the end of its R^t, R_kj joins J to X, and R_qk is the rest
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ....algebra.formula import sym
 from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
@@ -17,7 +19,7 @@ from ....vector.close import close
 from ....vector.equation import Equation, Term
 from ....words import Words
 from ..acting import NO_LETTER, Acting, Drawn
-from ..bodies.link_polygon import LETTERS
+from ..bodies.link_polygon import corner_letters
 from ..lines.arms import acting_on
 from ..readings import measured
 from ..state import Statics
@@ -32,20 +34,21 @@ def draw_group(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> Corners
     if _free(st, d, first, last):
         return _nothing(st, d)
     pane = _begin(st, d, d.link_j, d.link_k)
-    lead = first.found(st, LETTERS[1])
-    terms = [*lead, *_forces(st, d.link_j, len(lead))]
+    letters = corner_letters(st, pane)
+    lead = first.found(st, letters[1])
+    terms = [*lead, *_forces(st, letters, d.link_j, len(lead))]
     at_j = len(terms)
-    terms += _forces(st, d.link_k, at_j)
-    terms += last.found(st, LETTERS[len(terms) + 1])
+    terms += _forces(st, letters, d.link_k, at_j)
+    terms += last.found(st, letters[len(terms) + 1])
     eq = Equation(left=(*terms, last.sought(st), first.sought(st)))
-    vertices, x = closed(st, pane, eq, terms)
+    vertices, x = closed(st, pane, letters, eq, terms)
     n = len(terms)
-    at_k, corner_x = n - len(last.found(st, "")), (LETTERS[n + 1], x)
+    at_k, corner_x = n - len(last.found(st, "")), (letters[n + 1], x)
     return Corners(
         pane=pane,
-        p=(corner_x, (LETTERS[len(lead)], vertices[len(lead)])),
-        j=(LETTERS[at_j], vertices[at_j]),
-        k=(LETTERS[at_k], vertices[at_k]),
+        p=(corner_x, (letters[len(lead)], vertices[len(lead)])),
+        j=(letters[at_j], vertices[at_j]),
+        k=(letters[at_k], vertices[at_k]),
         x=corner_x,
     )
 
@@ -55,14 +58,15 @@ def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corne
     if _free(st, d, first):
         return _nothing(st, d)
     pane = _begin(st, d, d.link_j)
-    lead = first.found(st, LETTERS[1])
-    terms = [*lead, *_forces(st, d.link_j, len(lead))]
-    vertices, x = closed(st, pane, Equation(left=(*terms, inner.sought(st), first.sought(st))), terms)
+    letters = corner_letters(st, pane)
+    lead = first.found(st, letters[1])
+    terms = [*lead, *_forces(st, letters, d.link_j, len(lead))]
+    vertices, x = closed(st, pane, letters, Equation(left=(*terms, inner.sought(st), first.sought(st))), terms)
     n = len(terms)
-    corner_j, corner_x = (LETTERS[n], vertices[n]), (LETTERS[n + 1], x)
-    corner_k = _carry_on(st, pane, d.link_k, corner_j, n + 1)
+    corner_j, corner_x = (letters[n], vertices[n]), (letters[n + 1], x)
+    corner_k = _carry_on(st, pane, letters, d.link_k, corner_j, n + 1)
     return Corners(
-        pane=pane, p=(corner_x, (LETTERS[len(lead)], vertices[len(lead)])), j=corner_j, k=corner_k, x=corner_x
+        pane=pane, p=(corner_x, (letters[len(lead)], vertices[len(lead)])), j=corner_j, k=corner_k, x=corner_x
     )
 
 
@@ -72,19 +76,20 @@ def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corner
     if _free(st, d):
         return _nothing(st, d)
     pane = _begin(st, d, d.link_k)
-    terms = _forces(st, d.link_k, 0)
-    vertices, x = closed(st, pane, Equation(left=(*terms, last.sought(st), inner.sought(st))), terms)
+    letters = corner_letters(st, pane)
+    terms = _forces(st, letters, d.link_k, 0)
+    vertices, x = closed(st, pane, letters, Equation(left=(*terms, last.sought(st), inner.sought(st))), terms)
     n = len(terms)
-    end = _carry_on(st, pane, d.link_j, (LETTERS[n + 1], x), n + 1)
-    if len(_forces(st, d.link_j, 0)):
+    end = _carry_on(st, pane, letters, d.link_j, (letters[n + 1], x), n + 1)
+    if len(_forces(st, letters, d.link_j, 0)):
         st.board.remark(
             Words(
-                f"再由 ${LETTERS[n + 1]}$ 依次作构件 {d.link_j} 的已知力，至 ${end[0]}$。",
-                f" From ${LETTERS[n + 1]}$ lay off the known forces of link {d.link_j}, to ${end[0]}$.",
+                f"再由 ${letters[n + 1]}$ 依次作构件 {d.link_j} 的已知力，至 ${end[0]}$。",
+                f" From ${letters[n + 1]}$ lay off the known forces of link {d.link_j}, to ${end[0]}$.",
             )
         )
     return Corners(
-        pane=pane, p=(end, (LETTERS[0], 0j)), j=(LETTERS[0], 0j), k=(LETTERS[n], vertices[n]), x=(LETTERS[n + 1], x)
+        pane=pane, p=(end, (letters[0], 0j)), j=(letters[0], 0j), k=(letters[n], vertices[n]), x=(letters[n + 1], x)
     )
 
 
@@ -163,12 +168,12 @@ def _begin(st: Statics, d: Dyad, *alone: str) -> Pane:
         ),
         pane,
     )
-    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
+    st.board.plot(pane, 0j, corner_letters(st, pane)[0], Dot.POINT)
     return pane
 
 
-def _forces(st: Statics, link: str, after: int) -> list[Term]:
-    return [term_of(force, LETTERS[after + i + 1]) for i, force in enumerate(acting_on(st, link))]
+def _forces(st: Statics, letters: Sequence[str], link: str, after: int) -> list[Term]:
+    return [term_of(force, letters[after + i + 1]) for i, force in enumerate(acting_on(st, link))]
 
 
 def term_of(force: Acting, tip: str) -> Term:
@@ -183,22 +188,26 @@ def term_of(force: Acting, tip: str) -> Term:
     )
 
 
-def closed(st: Statics, pane: Pane, eq: Equation, terms: list[Term]) -> tuple[list[Points], Points]:
+def closed(
+    st: Statics, pane: Pane, letters: Sequence[str], eq: Equation, terms: list[Term]
+) -> tuple[list[Points], Points]:
     """All vertices of the known chain, and the corner."""
     st.board.equate(eq.table())
-    letter = LETTERS[len(terms) + 1]
+    letter = letters[len(terms) + 1]
     closed = close(st.board, pane, 0j, eq, corner=letter)
     corner = closed.ends[eq.left[-1].rel.key][0]
     st.board.plot(pane, corner, letter)
     return [0j, *(closed.ends[term.rel.key][1] for term in terms)], corner
 
 
-def _carry_on(st: Statics, pane: Pane, link: str, start: tuple[str, Points], used: int) -> tuple[str, Points]:
+def _carry_on(
+    st: Statics, pane: Pane, letters: Sequence[str], link: str, start: tuple[str, Points], used: int
+) -> tuple[str, Points]:
     """Lay the known forces of the other link off, from a corner."""
     letter, here = start
     for i, force in enumerate(acting_on(st, link)):
         tip = here + st.board.hand.carry_vector(force.vector)
         st.board.arrow(pane, here, tip, Role.GIVEN)
-        letter, here = LETTERS[used + i + 1], tip
+        letter, here = letters[used + i + 1], tip
         st.board.plot(pane, here, letter)
     return letter, here

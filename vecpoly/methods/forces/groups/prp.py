@@ -27,7 +27,10 @@ def forces_prp(st: Statics, d: Dyad) -> None:
     """ΣF_j + ΣF_k + R_qk + R_pj = 0, each reaction normal to its guide (or at φ to that)."""
     assert isinstance(d.outer_j, Prismatic) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Prismatic)
     c, pane = d.inner.point, group_pane(st, *d.links)
-    first, last = lean(st, d.links, d.outer_j, d.parent_j, d.link_j), lean(st, d.links, d.outer_k, d.parent_k, d.link_k)
+    first, last = (
+        lean(st, d.links, d.outer_j, d.parent_j, d.link_j),
+        lean(st, d.links, d.outer_k, d.parent_k, d.link_k, second=True),
+    )
     on_j, on_k = ((c, moments_about(st, pane, (link,), c)) for link in (d.link_j, d.link_k))
     r_pj, r_kj, r_qk = reactions(st, d, draw_group(st, d, first, last))
     settle_pin(st, d.link_k, d.link_j, c, r_kj)

@@ -72,26 +72,33 @@ def no_force(st: Statics, drawn: Drawn) -> bool:
 def _say_couple(st: Statics, by: str, on: str, couple: Reals) -> None:
     """The forces on both sides of the guide are equal and opposite: R = 0, at infinity, and M_R."""
     i, j = st.mech.number(by), st.mech.number(on)
-    size = float(nominal(couple))
+    size, told = float(nominal(couple)), f"${st.named(by, on).symbol}$ = " in st.board.steps[-1].words.zh
     if not size:
-        st.board.remark(Words(f"$R_{{{i}{j}}}$ = 0。", f" Hence $R_{{{i}{j}}}$ = 0."))
+        if not told:
+            st.board.remark(Words(f"$R_{{{i}{j}}}$ = 0。", f" Hence $R_{{{i}{j}}}$ = 0."))
         return
     way = TURN[1 if size > 0 else -1]
+    none = Words("但 ", " However,") if told else Words(f"$R_{{{i}{j}}}$ = 0，而 ", f" Here $R_{{{i}{j}}}$ = 0, while")
     st.board.remark(
-        Words(
-            f"$R_{{{i}{j}}}$ = 0，而 $ΣM$ ≠ 0：导路两侧的压力等值、反向，合成为一力偶（作用线在无穷远处），"
+        none
+        + Words(
+            "$ΣM$ ≠ 0：导路两侧的压力等值、反向，合成为一力偶（作用线在无穷远处），"
             f"构件 {i} 对构件 {j} 的力偶矩为 {number(abs(size))} N·m，{way.zh}。",
-            f" Here $R_{{{i}{j}}}$ = 0 while $ΣM$ ≠ 0: the pressures on the two sides of the guide "
+            " $ΣM$ ≠ 0: the pressures on the two sides of the guide "
             "are equal and opposite and form a couple (a force of zero at infinity); link "
             f"{i} turns link {j} with {number(abs(size))} N·m, {way.en}.",
         )
     )
 
 
-def lean(st: Statics, links: tuple[str, ...], joint: Prismatic, by: str, on: str) -> Reaction:
-    """A slide's reaction along the normal of its guide, inclined by φ where there is friction."""
+def lean(st: Statics, links: tuple[str, ...], joint: Prismatic, by: str, on: str, *, second: bool = False) -> Reaction:
+    """A slide's reaction along the normal of its guide, inclined by φ where there is friction; of a second slide that
+    is said in the step of the first."""
     why = slide_words(st, joint, by, on)
-    st.board.step(Words(why.zh, why.en.strip()), group_pane(st, *links))
+    if second:
+        st.board.remark(why)
+    else:
+        st.board.step(Words(why.zh, why.en.strip()), group_pane(st, *links))
     direction = Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
     return Reaction(by=by, on=on, line=inclined(st, joint, by, on), direction=direction)
 

@@ -71,7 +71,7 @@ def _isolated(st: Statics, block: str) -> Words:
         number = st.mech.number(block)
         return Words(
             f"滑块 {number} 只受两力，两力等值、反向、共线。",
-            f"Only two forces act on block {number}: equal, opposite, in one line.",
+            f"Only two forces act on block {number}; they are equal, opposite and collinear.",
         )
     carrier, guide = st.mech.number(pin.carrier), st.mech.number(pin.guide)
     return Words(

@@ -15,7 +15,7 @@ from ....plane import Points
 from ....vector.equation import Equation, Term
 from ....words import Words
 from ..acting import Acting, Drawn
-from ..bodies.link_polygon import LETTERS
+from ..bodies.link_polygon import corner_letters
 from ..groups.body import polygon_title
 from ..groups.corners import part_named
 from ..groups.polygon import closed, term_of
@@ -39,7 +39,7 @@ def draw_chain(
 ) -> tuple[Sides, Sides, Sides]:
     """ΣF = 0 of the whole group. legs: the two whose parts are sought, and the third, of which that part is known."""
     one, two, last = legs
-    chain = _Chain(st=st, terms=[])
+    chain = _Chain(st=st, letters=corner_letters(st), terms=[])
     chain.add_first(one, plate)
     third_in = chain.reached()
     chain.add(forces_in_chain(st, last))
@@ -55,7 +55,7 @@ def draw_chain_of_two(
     st: Statics, links: tuple[str, ...], plate: str, legs: tuple[Pressed, Pressed], pushed: list[Acting]
 ) -> tuple[Sides, Sides]:
     """ΣF = 0 of the central link with two legs. pushed: what the third leg, known already, presses on it with."""
-    chain = _Chain(st=st, terms=[])
+    chain = _Chain(st=st, letters=corner_letters(st), terms=[])
     chain.add_first(legs[0], plate)
     chain.add(pushed)
     first, second, _ = chain.closed(links, *legs)
@@ -64,9 +64,10 @@ def draw_chain_of_two(
 
 @dataclass(slots=True, kw_only=True)
 class _Chain:
-    """The known terms, head to tail; where R^t of the first leg ends, and where its forces do."""
+    """The known terms, head to tail; where R^t of the first leg ends, and where its forces do; letters: of corners."""
 
     st: Statics
+    letters: tuple[str, ...]
     terms: list[Term]
     after_t: int = 0
     start: int = 0
@@ -86,17 +87,17 @@ class _Chain:
     def add(self, forces: list[Acting]) -> None:
         """Known forces."""
         for force in forces:
-            self.terms.append(term_of(force, LETTERS[self.reached() + 1]))
+            self.terms.append(term_of(force, self.letters[self.reached() + 1]))
 
     def add_part(self, leg: Pressed, part: str, vector: Points | None = None) -> None:
         """R^t of a leg where it has one; or its part along the axis, once that is known."""
         reaction = leg.reaction
         if part == "t":
-            self.terms += reaction.found(self.st, LETTERS[self.reached() + 1])
+            self.terms += reaction.found(self.st, self.letters[self.reached() + 1])
             return
         assert vector is not None
         named = part_named(self.st.named(reaction.by, reaction.on), reaction.part)
-        tip = LETTERS[self.reached() + 1]
+        tip = self.letters[self.reached() + 1]
         self.terms.append(
             Term(rel=named, symbol=named.symbol, direction=reaction.direction, magnitude="✓", vector=vector, tip=tip)
         )
@@ -110,17 +111,17 @@ class _Chain:
         self.add(forces_in_chain(self.st, two))
         second_out = self.reached()
         self.add_part(two, "t")
-        pane = _begin(self.st, links)
+        pane = _begin(self.st, links, self.letters[0])
         eq = Equation(left=(*self.terms, two.reaction.sought(self.st), one.reaction.sought(self.st)))
-        vertices, x = closed(self.st, pane, eq, self.terms)
-        corner = (LETTERS[len(self.terms) + 1], x)
-        at = [(LETTERS[i], vertex) for i, vertex in enumerate(vertices)]
+        vertices, x = closed(self.st, pane, self.letters, eq, self.terms)
+        corner = (self.letters[len(self.terms) + 1], x)
+        at = [(self.letters[i], vertex) for i, vertex in enumerate(vertices)]
         first = Sides(outer=_side(pane, corner, at[self.after_t]), inner=_side(pane, corner, at[self.start]))
         second = Sides(outer=_side(pane, at[second_out], corner), inner=_side(pane, at[second_in], corner))
         return first, second, lambda start, end: _side(pane, at[start], at[end])
 
 
-def _begin(st: Statics, links: tuple[str, ...]) -> Pane:
+def _begin(st: Statics, links: tuple[str, ...], letter: str) -> Pane:
     pane = st.polygon("-".join(map(st.mech.number, links)), polygon_title(st, *links))
     numbers = list(map(st.mech.number, links))
     whole = Words("整个杆组", "the whole group") if len(links) > 3 else Words("其余构件", "the rest of the group")
@@ -132,7 +133,7 @@ def _begin(st: Statics, links: tuple[str, ...]) -> Pane:
         ),
         pane,
     )
-    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
+    st.board.plot(pane, 0j, letter, Dot.POINT)
     return pane
 
 

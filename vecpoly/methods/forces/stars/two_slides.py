@@ -52,7 +52,10 @@ def _rest(links: tuple[str, ...], leg: Parallel) -> tuple[str, ...]:
 def _leg_alone(st: Statics, star: Star, leg: Parallel, links: tuple[str, ...]) -> tuple[Drawn, Drawn]:
     """The force of the leg on the central link, and that of its parent on the leg."""
     number = st.mech.number(leg.link)
-    inner, outer = (lean(st, links, leg.slide, star.plate, leg.link), lean(st, links, leg.guide, leg.parent, leg.link))
+    inner, outer = (
+        lean(st, links, leg.slide, star.plate, leg.link),
+        lean(st, links, leg.guide, leg.parent, leg.link, second=True),
+    )
     names = st.named(star.plate, leg.link), st.named(leg.parent, leg.link)
     known = acting_on(st, leg.link)
     if not known:

@@ -103,7 +103,7 @@ def _special_point(desk: Desk, view: View, star: Star, special: Special) -> dict
     desk.board.step(
         Words(
             f"求特殊点 ${s}$ 的{kind.zh}：分别由构件 {special.pair[0].link}、{special.pair[1].link} 列矢量方程并作图。",
-            f"The {kind.en} of the special point ${s}$: write the vector equation over links "
+            f"Find the {kind.en} of the special point ${s}$: write the vector equation over links "
             f"{special.pair[0].link} and {special.pair[1].link} and draw it.",
         )
         + parts,

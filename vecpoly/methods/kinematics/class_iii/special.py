@@ -132,7 +132,7 @@ def _words(star: Star, special: Special) -> Words:
     one, two = (_axis_words(star, leg) for leg in special.pair)
     s, plate = special.at.point, star.plate
     return (
-        Words("取特殊点：", "The special point: ")
+        Words("取特殊点：", "Take a special point: ")
         + one
         + Words("与", " and ")
         + two

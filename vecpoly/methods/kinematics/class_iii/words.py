@@ -20,7 +20,7 @@ def trial_words(desk: Desk, star: Star, legs: tuple[Axial, ...]) -> Words:
         Words(
             f"Ⅲ级杆组用试凑法定位：暂不计构件 {legs[2].link}，给中心构件 {star.plate} 取几个试方位，使",
             f"The class III group is found by trial: leave link {legs[2].link} out and try the central "
-            f"link {star.plate} in several orientations, with ",
+            f"link {star.plate} in several orientations such that ",
         )
         + one
         + Words("，且", " and ")
@@ -55,15 +55,14 @@ def keeps(desk: Desk, star: Star, leg: Axial) -> Words:
         case Hinged(outer=o, inner=b):
             return Words(
                 f" ${b}$ 在以 ${o}$ 为圆心、$l_{o}{b}/μ_l$ 为半径的弧上",
-                f"${b}$ on the arc about ${o}$ with the radius $l_{o}{b}/μ_l$",
+                f"${b}$ lies on the arc about ${o}$ with the radius $l_{o}{b}/μ_l$",
             )
         case Guided(inner=b):
-            return Words(f" ${b}$ 在其导路线上", f"${b}$ on its guide line")
+            return Words(f" ${b}$ 在其导路线上", f"${b}$ lies on its guide line")
         case Slotted():
             way = _past(desk, leg)
             return Words(
-                f"构件 {star.plate} 与构件 {leg.link} 间的导路{way.zh}",
-                f"its slide on link {leg.link} passing {way.en}",
+                f"构件 {star.plate} 与构件 {leg.link} 间的导路{way.zh}", f"its slide on link {leg.link} passes {way.en}"
             )
         case _:
             assert_never(leg)

@@ -78,7 +78,7 @@ def pitch_velocity(desk: Desk, joint: Rolling, link: str) -> None:
                     f"齿轮 {link} 在{on.zh}上纯滚动，接触点 ${h}$ 的速度为零（绝对瞬心），${h.lower()}$ 与极点 $p$ "
                     "重合。",
                     f"Gear {link} rolls on {on.en}: its contact ${h}$ has no velocity "
-                    f"(instant centre), ${h.lower()}$ lies at the pole $p$.",
+                    f"(instant centre), and ${h.lower()}$ lies at the pole $p$.",
                 ),
                 View.VELOCITY,
             )

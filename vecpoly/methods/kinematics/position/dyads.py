@@ -43,7 +43,7 @@ def position_rrr(desk: Desk, d: Dyad) -> None:
         View.MECHANISM,
         again=Words(
             f"同样，由 ${p}$、${q}$ 以 $l_{bars[0]}/μ_l$、$l_{bars[1]}/μ_l$ 为半径得 ${c}$",
-            f"Likewise, from ${p}$ and ${q}$ with radii $l_{bars[0]}/μ_l$ and $l_{bars[1]}/μ_l$: ${c}$",
+            f"Likewise, arcs about ${p}$ and ${q}$ with radii $l_{bars[0]}/μ_l$ and $l_{bars[1]}/μ_l$ give ${c}$",
         ),
     )
     radii = [desk.mm(length) for length in lengths]

@@ -73,8 +73,8 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
         board.remark(
             Words(
                 f" 此射线距 $D$ {gap:.1f} mm，大于圆的半径 {float(nominal(radius)):.1f} mm，不相交。",
-                f" The ray passes $D$ at {gap:.1f} mm, more than the radius of {float(nominal(radius)):.1f} mm: no "
-                f"meeting.",
+                f" The ray passes $D$ at {gap:.1f} mm, more than the radius of {float(nominal(radius)):.1f} mm, "
+                "and does not meet it.",
             )
         )
         board.rule(SHEET, ray, a + ray.along * np.abs(c1 - a))

@@ -89,7 +89,7 @@ def error_curve(sheet: Sheet, design: FunctionGenerator) -> None:
             "三个精确点处 $ε = 0$。误差最大处：",
             "Turn $AB$ through its range, find $C$ by two arcs, and plot the error $ε$ by which the angle $ψ$ of $DC$ "
             "is "
-            "ahead of the function's. At the three precision points $ε = 0$. The maximum error:",
+            "ahead of the function's. At the three precision points $ε = 0$. The maximum error is:",
         ),
         curve.place,
     )

@@ -139,7 +139,7 @@ def _with_crank(sheet: Sheet, crank: Reals) -> Sheet:
         + (
             Words("", "")
             if side > 0
-            else Words("（负值：量在反向延长线上。）", " (Negative: on the lines produced backwards.)")
+            else Words("（负值：量在反向延长线上。）", " (Negative lengths lie on the lines produced backwards.)")
         ),
         SHEET,
     )
@@ -152,8 +152,8 @@ def _freudenstein(sheet: Sheet) -> None:
     draft = sheet.draft
     told = Words(
         "代入弗洛伊登斯坦方程 $cos φ = P_0 cos ψ + P_1 cos(ψ − φ) + P_2$ 校核；与标线方向相反的杆长取负值：",
-        "For Freudenstein's equation $cos φ = P_0 cos ψ + P_1 cos(ψ − φ) + P_2$, with a minus for a link that points "
-        "against its line:",
+        "Check by Freudenstein's equation $cos φ = P_0 cos ψ + P_1 cos(ψ − φ) + P_2$; a link that points against its "
+        "line counts as negative:",
     )
     draft.board.step(told, SHEET)
     a, c = (_signed(sheet, key, *at) for key, at in (("a", (AB, "AM", "B")), ("c", (CD, "DN", "C"))))

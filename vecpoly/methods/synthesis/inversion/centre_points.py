@@ -93,8 +93,8 @@ def _bar(sheet: Sheet, stage: CentrePoints, line: Line, t: Reals, number: int) -
     here, label = f"M^{{({number})}}", f"N^{{({number})}}"
     board.step(
         Words(
-            f"圆心点 ${here}$：反转三次，作中垂线，交点为圆点 ${label}_1$。",
-            f"Centre point ${here}$: turned back three times; the bisectors meet at the circle point ${label}_1$.",
+            f"将圆心点 ${here}$ 反转三次，作中垂线，交点为圆点 ${label}_1$。",
+            f"Turn the centre point ${here}$ back three times; the bisectors meet at the circle point ${label}_1$.",
         ),
         SHEET,
     )

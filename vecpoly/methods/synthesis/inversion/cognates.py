@@ -69,7 +69,7 @@ def _parallelograms(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Point
     draft.board.step(
         Words(
             "作平行四边形 $AGEB$ 和 $DMEC$，得 $G$、$M$。",
-            "Complete the parallelograms $AGEB$ and $DMEC$: $G$ and $M$.",
+            "Complete the parallelograms $AGEB$ and $DMEC$ to find $G$ and $M$.",
         ),
         SHEET,
     )
@@ -144,7 +144,7 @@ def _third_pivot(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
 
 
 def _lengths(draft: Draft, pins: Mapping[str, Points]) -> None:
-    draft.board.step(Words("由图量得两同源机构各构件长度：", "The lengths of both cognates, as measured:"), SHEET)
+    draft.board.step(Words("由图量得两同源机构各构件长度：", "Measure the lengths of both cognates:"), SHEET)
     for letters in (*LEFT, *RIGHT):
         one, two = letters[0], letters[1]
         spaced = f"{one} {two}"

@@ -60,12 +60,15 @@ def closed(sheet: Sheet, verdict: Verdict) -> None:
 
 
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
-    told = Words(
-        "连接各铰链，第一位置画粗实线，其余位置画虚线；由图量得各构件长度：",
-        "Join the pins: thick in the first position, dashed in the others. Measure the lengths:",
-    )
     if verdict is not Verdict.VALID:
-        return told
+        return Words("连接第一位置的各铰链。", "Join the pins in the first position.")
+    also = (
+        Words("和第一位置的方向角", " and the directions in the first position") if sheet.plan.either else Words("", "")
+    )
+    told = Words(
+        f"连接各铰链，第一位置画粗实线，其余位置画虚线；由图量得各构件长度{also.zh}：",
+        f"Join the pins: thick in the first position, dashed in the others. Measure the lengths{also.en}:",
+    )
     if not sheet.plan.either:
         kinds = [why for _, why in _kinds(sheet)]
         return behind(told, reduce(add, kinds)) if kinds else told

@@ -8,14 +8,16 @@ from ....board.paper.marks import Dot, Role
 from ....designs.inversion.plan import FRAME, Body, Pin, Plan
 from ....diagram.single import outline
 from ....foundation.frozen import FrozenMap
+from ....names import ascii_key
 from ....plane import Points
 from ....words import Words
-from ..angles import marked, valued
+from ..angles import FARTHER, LEAST, marked
 from ..draft import SHEET, Draft
 from ..linkage import pin, slider
 from .sheet import Places, Sheet, Stands, lettered, placed
 
-SYMBOLS = (("φ", "phi"), ("ψ", "psi"), ("χ", "chi"))  # of the links that turn, in order
+HALF_TURN = 180.0  # deg
+AXIS = 0.6  # of that: how far the axis is drawn from which its directions count
 HALF = 1.8  # mm: half the breadth of a body, which is seen under links that lie along it
 REACH = 0.35  # of the extent of what is given: from the origin of a body to the point that marks its line
 
@@ -139,19 +141,21 @@ def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
         if not own or _free(body):
             pin(draft, f"{mark_of(sheet.plan, body)}_{n + 1}", stands.end, Dot.POINT)
     if body.pivot:
-        _turns_marked(sheet, body)
+        _directions_marked(sheet, body)
     return sheet
 
 
-def _turns_marked(sheet: Sheet, body: Body) -> None:
-    """By how much it turns from its first position to each other: φ of the first such link, ψ of the next."""
-    turning = [one.name for one in sheet.plan.bodies if one.pivot]
-    symbol, key = SYMBOLS[min(turning.index(body.name), len(SYMBOLS) - 1)]
-    first, *others = sheet.bodies[body.name]
-    for n, stands in enumerate(others):
-        turn = degrees(body.positions[n + 1].angle - body.positions[0].angle)
-        label = valued(f"{symbol}_{{1{n + 2}}}", abs(turn))
-        marked(sheet.draft, first.start, (first.end, stands.end), label, key=f"{key}_1{n + 2}", nth=n)
+def _directions_marked(sheet: Sheet, body: Body) -> None:
+    """Its direction in each position, from the x axis and under the symbol that the data have: φ_1, φ_2."""
+    draft, symbol = sheet.draft, body.symbol or f"φ_{body.name}"
+    start, reach = sheet.bodies[body.name][0].start, draft.mm(AXIS * REACH * sheet.plan.extent)
+    draft.board.join(SHEET, start, start + reach, Role.CENTRE)
+    for n, (stands, position) in enumerate(zip(sheet.bodies[body.name], body.positions, strict=True)):
+        own = f"{symbol}{n + 1}" if body.name in symbol else f"{symbol}_{n + 1}"
+        if abs(degrees(position.angle)) <= HALF_TURN:
+            marked(draft, start, (start + reach, stands.end), own, key=ascii_key(own), nth=n)
+        else:
+            draft.board.angle(SHEET, start, 1 + 0j, position.angle, LEAST + n * FARTHER, own, key=ascii_key(own))
 
 
 def mark_of(plan: Plan, body: Body) -> str:

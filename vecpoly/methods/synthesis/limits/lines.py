@@ -70,7 +70,9 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
         key = "C1D" if way > 0 else ""
         ray = board.ray(c1, unit(a - c1), way * (pi / 2 - board.given(design.alpha_1.si, "alpha_1")), key=key)
         if abs(float(nominal(cross(ray.along, bisector.along)))) < 1e-9:
-            board.remark(Words("此线与中垂线平行，不相交。", " The line is parallel to the bisector: no meeting."))
+            board.remark(
+                Words("此线与中垂线平行，不相交。", " The line is parallel to the bisector and does not meet it.")
+            )
             continue
         d = pivot(draft, draft.letter("D"), board.meet(ray, bisector, Words("求 $D$", "finding $D$")))
         board.rule(SHEET, ray, d)

@@ -30,6 +30,13 @@ def forces_group(study: Study) -> GroupModel | None:
     )
 
 
+def _directed(angles: list[str]) -> str:
+    """That these are the angles at which forces act."""
+    if len(angles) == 1:
+        return f"The angle {angles[0]} gives the direction of the force. "
+    return f"The angles {', '.join(angles[:-1])} and {angles[-1]} give the directions of the forces. "
+
+
 def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
     slides = any(touch.unknowns[-1].startswith("T") for touch in found.touches)
     high = any(touch.before for touch in found.touches)
@@ -41,11 +48,11 @@ def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
     fixed = [load for load in loads.forces if load.along is None]
     if tilted := [load for load in fixed if abs(sin(2 * load.direction)) > 1e-9]:
         angles = [f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted]
-        told += Words(f"{'、'.join(angles)} 为力的方向角。", f"{', '.join(angles)}: direction of the force. ")
+        told += Words(f"{'、'.join(angles)} 为力的方向角。", _directed(angles))
     if lawful := [f"${load_symbol(load.name)}$" for load in loads.all if load.law is not None]:
         told += Words(
             f"{'、'.join(lawful)} 随位置（速度）变化，按题给规律取值。",
-            f"{', '.join(lawful)}: by the law that is given, at every position. ",
+            f"{', '.join(lawful)} follow{'s' if len(lawful) == 1 else ''} the given law at every position. ",
         )
     pins, free = carried_pins(study.mech), f"${load_symbol(loads.unknown.name)}$"
     told += Words(pins.zh, f"{pins.en.strip()} " if pins.en else "")
