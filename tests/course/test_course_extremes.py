@@ -31,9 +31,9 @@ def test_a_curve_marks_the_extremes_that_are_told(name: str, monkeypatch: pytest
     it, marked = studied(name), list[tuple[str, float, float]]()
     told = peaks.told
 
-    def heard(alike: Sequence[peaks.Spot], drive: Column) -> str:
+    def heard(alike: Sequence[peaks.Spot], drive: Column, of: str) -> str:
         marked.extend((key, *spot) for spot in alike)
-        return told(alike, drive)
+        return told(alike, drive, of)
 
     monkeypatch.setattr(peaks, "told", heard)
     reduced = [equivalents(it.mech)[0].inertia.key] if name == "shaper-flywheel" else []

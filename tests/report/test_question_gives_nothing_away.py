@@ -9,9 +9,11 @@ import pytest
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from tests.studies import solved
+from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.marks import Point
 from vecpoly.problem.values.made import problem
 from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.framed.readings import Blank, readings
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.working import LEAST_ROOM, Spare, working
 from vecpoly.report.statement.asked import asked
@@ -50,6 +52,23 @@ def test_a_chain_that_is_judged_by_its_lengths_is_sketched_as_one() -> None:
     figure = sketched(one.problem, one.construction, 120.0, 70.0)
     assert figure is not None
     assert {"A", "B", "C", "D"} <= {mark.label for mark in figure.marks if isinstance(mark, Point)}
+
+
+def test_which_link_is_the_frame_of_a_double_rocker_is_told_by_no_symbol() -> None:
+    """l_CD min and l_CD max told that it is CD."""
+    one = solved("8-1")
+    langs: tuple[Lang, ...] = ("zh", "en")
+    for lang in langs:
+        cells = " ".join(row[0] for row in empty_table(one, lang).rows)
+        blanks = [blank.symbol for figure in one.construction.figures for blank in asked_on(one.construction, figure)]
+        told = re.sub("[{}]", "", " ".join([asked(one, lang), cells, *blanks]))
+        assert "l_f min" in told and len(blanks) == 4 and not re.search("AB|BC|CD|AD", told)
+
+
+def asked_on(construction: Construction, figure: Figure) -> tuple[Blank, ...]:
+    """The lines of a frame."""
+    found = readings(construction, figure)
+    return () if found is None else found.blanks
 
 
 def test_a_chain_that_does_not_reach_the_position_of_the_sketch_has_none_of_it() -> None:

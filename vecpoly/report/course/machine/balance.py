@@ -14,7 +14,7 @@ from ....findings.study.study import Study
 from ....words import Lang, Words
 from ..numbering import Press
 from ..results.plots import curve, swept
-from ..results.tabled import laid_out
+from ..results.tabled import laid_out, without_repeat
 from .sums import displayed, shaking
 
 _EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": ["Quantity", "Maximum", "At", "Minimum", "At"]}
@@ -48,7 +48,7 @@ def _acting(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
         "lead": _lead(study).of(press.lang),
         "formulas": displayed(press, shaking()),
         "words": [_told(study).of(press.lang)],
-        "tables": [_extremes(study, press, found), laid_out(table(turn, parts, rows), press, title)],
+        "tables": [_extremes(study, press, found), laid_out(without_repeat(table(turn, parts, rows)), press, title)],
         "figures": press.figures(plots),
     }
 
