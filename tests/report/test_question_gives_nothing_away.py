@@ -9,8 +9,10 @@ import pytest
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from tests.studies import solved
+from vecpoly import loads
 from vecpoly.board.construction import Construction, Figure
-from vecpoly.board.paper.marks import Point
+from vecpoly.board.paper.marks import Note, Point
+from vecpoly.problem.load import load
 from vecpoly.problem.values.made import problem
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.framed.readings import Blank, readings
@@ -88,3 +90,23 @@ def test_what_the_page_leaves_below_the_results_is_squared_if_it_is_no_strip(roo
     height = block.wrap(COLUMN, alone + room * MM)[1]
     assert (height > alone + 1.0) == (room * MM >= LEAST_ROOM + block._other(COLUMN) - alone)
     assert alone <= height <= alone + room * MM and block.split(COLUMN, alone / 2) == foot
+
+
+@pytest.mark.parametrize(
+    ("name", "lengths"),
+    [("8-17", {"l_AB", "l_AC", "l_CD", "l_DE", "h"}), ("whitworth-by-K", {"l_AB", "l_AC", "l_CD", "l_DE"})],
+)
+def test_a_quick_return_that_is_to_be_found_is_sketched_in_proportions_that_are_no_answer(
+    name: str, lengths: set[str]
+) -> None:
+    """Its statement alone told how crank, lever, rod and ram hang together."""
+    figures = []
+    for time_ratio in ("2", "1.5"):
+        text = re.sub(r"\bK: [\d.]+", f"K: {time_ratio}", load(name).text)
+        one = solve(loads(text), repeats=0, precise=False)
+        figures.append(sketched(one.problem, one.construction, 120.0, 70.0))
+    first, second = figures
+    assert first is not None and second is not None and first.marks == second.marks and "示意图" in first.title.zh
+    labels = {re.sub("[${}]", "", getattr(mark, "label", "") or "") for mark in first.marks}
+    told = {re.sub("[${}]", "", mark.words.zh) for mark in first.marks if isinstance(mark, Note)}
+    assert lengths <= labels | told and set("ABCDE") <= labels
