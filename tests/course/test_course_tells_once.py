@@ -205,3 +205,13 @@ def test_of_the_comparison_one_curve_is_drawn_of_what_deviates_most() -> None:
     chapter = comparison.chapter(it, kept, found)
     shares = {line[0]: float(line[3]) for line in kept.lines}
     assert len(chapter["figures"]) == 1 and shares[chapter["farthest"]] == max(shares.values())
+
+
+@pytest.mark.parametrize(("name", "along"), [("shaper-flywheel", "x"), ("slider-crank-dynamic", "")])
+def test_a_force_along_one_line_is_said_to_be_and_has_no_hodograph(name: str, along: str) -> None:
+    kept = Noted("en")
+    with in_small():
+        balance = chapters.chapters(studied(name), kept, machine(name))["told"][-1]["sections"][0]
+    assert (f"nearly along ${along}$" in balance["words"][0]) is bool(along)
+    assert ("hodograph" in balance["words"][0]) is not bool(along)
+    assert len(balance["figures"]) == (2 if along else 3)
