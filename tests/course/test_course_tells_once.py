@@ -114,29 +114,39 @@ def made_of(values: Mapping[str, Sequence[float]], unit: str = "") -> Table:
 
 
 @given(
-    row=st.integers(0, 17),
+    doubled=st.integers(0, 35),
+    near=st.floats(0, 720),
     kinds=st.lists(st.sampled_from(["even", "odd"]), min_size=1, max_size=4),
     sizes=st.lists(st.floats(0.1, 50), min_size=4, max_size=4),
 )
 def test_the_half_that_is_listed_and_the_sentence_give_the_whole(
-    row: int, kinds: list[str], sizes: list[float]
+    doubled: int, near: float, kinds: list[str], sizes: list[float]
 ) -> None:
-    at = np.radians(_WHOLE - 10.0 * row)
+    """About a row, or between two; the half in which the mechanism is given."""
+    at = np.radians(_WHOLE - 5.0 * doubled)
     waves = {
         "even": lambda a, b: a * np.cos(at) + b * np.cos(2 * at),
         "odd": lambda a, b: a * np.sin(at) + b * np.sin(2 * at),
     }
     made = made_of({f"q{n}": waves[kind](sizes[n], sizes[n - 1]) for n, kind in enumerate(kinds)})
     about = mirror(made)
-    assert about is not None and about.row <= row
-    rows, sign = half(made, about).values, [-1.0 if c in about.odd else 1.0 for c in made.columns[1:]]
-    assert len(rows) == 19
-    both = 2 * made.values[about.row, 0]
-    again = {(both - angle) % 360.0: sign * values for angle, values in zip(rows[:, 0], rows[:, 1:], strict=True)}
+    assert about is not None
+    shown = half(made, about, near).values
+    sign = [-1.0 if column in about.odd else 1.0 for column in made.columns[1:]]
+    said = told(made, about, near)
+    whole = float(re.search(r"换为 (\d+)°", said.zh)[1])  # type: ignore[index]
+    listed = {round(angle % 360.0): values for angle, *values in shown}
+    follows = {
+        round((whole - angle) % 360.0): [s * v for s, v in zip(sign, values, strict=True)] for angle, *values in shown
+    }
     for angle, *values in made.values:
-        known = rows[rows[:, 0] == angle][0, 1:] if angle in rows[:, 0] else again[angle]
-        assert known == pytest.approx(values, abs=1e-4)
-    assert all((f"${c.symbol}$" in told(made, about).zh) == (c in about.odd) for c in made.columns[1:])
+        assert (listed | follows if round(angle) not in listed else listed)[round(angle)] == pytest.approx(
+            values, abs=1e-4
+        )
+    assert len(shown) in (18, 19) and -180 <= shown[0, 0] < shown[-1, 0] <= 360
+    apart = min(abs((angle - near + 180) % 360 - 180) for angle in shown[:, 0])
+    assert apart <= 5 + 1e-6, "the given position is among the rows"
+    assert all((f"${c.symbol}$" in said.zh) == (c in about.odd) for c in made.columns[1:])
 
 
 @given(share=st.floats(0.01, 1.0), turn=st.floats(0.3, 2.8))

@@ -15,8 +15,9 @@ from ....findings.shown import places
 from ....findings.study.study import Study
 from ....words import Lang, Words
 from ..numbering import Press
+from ..results.mirrored import half, mirror, told
 from ..results.plots import curve, swept
-from ..results.tabled import laid_out, without_repeat
+from ..results.tabled import given_place, laid_out, without_repeat
 from .sums import displayed, shaking
 
 _EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": ["Quantity", "Maximum", "At", "Minimum", "At"]}
@@ -46,19 +47,19 @@ def _bounded(found: Shaking) -> bool:
 def _acting(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
     """Over one turn: what the masses do repeats itself whatever the period of the loads is."""
     turn, turns = study.turn.once, study.varies(MOMENT.key)
-    across = _across(study)
+    parts = (*FORCE.parts, *([MOMENT.key] if turns else []))
+    across, made = _across(study), without_repeat(table(turn, parts, study.rows[study.rows < len(turn.phi)]))
+    about, near = mirror(made), given_place(study)
     plots = [] if across else [swept(study, press.lang, FORCE.key, turn)]
     plots += [curve(study, press.lang, [FORCE.key], turn)]
     plots += [curve(study, press.lang, [MOMENT.key], turn)] if turns else []
     title = Words("惯性力和惯性力矩", "Shaking force and shaking moment")
-    parts = (*FORCE.parts, *([MOMENT.key] if turns else []))
-    rows = study.rows[study.rows < len(turn.phi)]
     return {
         "title": Words("机构对机架的惯性力和惯性力矩", "Shaking force and shaking moment on the frame").of(press.lang),
         "lead": _lead(study).of(press.lang),
         "formulas": displayed(press, shaking()),
-        "words": [(_told(study) + (_along(study, across) if across else _HODOGRAPH)).of(press.lang)],
-        "tables": [_extremes(study, press, found), laid_out(without_repeat(table(turn, parts, rows)), press, title)],
+        "words": [_words(study, across).of(press.lang), *([told(made, about, near).of(press.lang)] if about else [])],
+        "tables": [_extremes(study, press, found), laid_out(half(made, about, near) if about else made, press, title)],
         "figures": press.figures(plots),
     }
 
@@ -79,6 +80,11 @@ def _told(study: Study) -> Words:
         f"$M_I$ is positive counter-clockwise, and $r_{{Si}}$ is the position vector of the centre of mass $S_i$ from "
         f"${pivot}$. The frame has to bear both; loads and weights are not among them. ",
     )
+
+
+def _words(study: Study, across: str) -> Words:
+    """What the symbols mean, and what the hodograph shows or would show."""
+    return _told(study) + (_along(study, across) if across else _HODOGRAPH)
 
 
 def _across(study: Study) -> str:

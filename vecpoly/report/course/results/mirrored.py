@@ -19,10 +19,11 @@ Reals = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Mirror:
-    """The row about which a table of one turn is symmetrical, and the columns that stay, change their sign, or (angles)
-    become so many degrees less themselves."""
+    """The rows of a table of one turn that are each other's images have this sum (so half of it is where the motion is
+    symmetrical, at a row or between two); the columns that stay, change their sign, or (angles) become so many degrees
+    less themselves."""
 
-    row: int
+    sum: int
     even: tuple[Column, ...]
     odd: tuple[Column, ...]
     turned: tuple[tuple[Column, float], ...]
@@ -33,24 +34,34 @@ def mirror(made: Table) -> Mirror | None:
     count = len(made.values)
     if count % 2 or made.columns[0].shown_unit != "°" or not _is_one_turn(made.values[:, 0]):
         return None
-    found = (_about(made, row) for row in range(count // 2))
+    found = (_about(made, total) for total in range(count))
     return next((one for one in found if one is not None), None)
 
 
-def half(made: Table, about: Mirror) -> Table:
-    """The rows from one place of symmetry to the other."""
-    return replace(made, values=made.values[about.row : about.row + len(made.values) // 2 + 1])
+def half(made: Table, about: Mirror, near: float) -> Table:
+    """The rows on that side of the line of symmetry on which the drive stands so (degrees), in order: 90° to 270°, or
+    −90° to 90°."""
+    count, at = len(made.values), made.values[:, 0]
+    first, rows = -(-about.sum // 2), count // 2 + (about.sum % 2 == 0)
+    step, axis = at[1] - at[0], (at[0] + (at[1] - at[0]) * about.sum / 2)
+    if (near - axis) / step % count > count / 2:
+        first += count // 2
+    values = made.values[np.arange(first, first + rows) % count].copy()
+    values[:, 0] = at[0] + step * np.arange(first, first + rows)
+    values[:, 0] -= _TURN * (abs(values[-1, 0] - at[0]) > _TURN + _RELATIVE) * np.sign(step)
+    return replace(made, values=values)
 
 
-def told(made: Table, about: Mirror) -> Words:
+def told(made: Table, about: Mirror, near: float) -> Words:
     """With 360° − φ in place of φ these change their sign, those do not."""
-    drive, at = made.columns[0].symbol, made.values[:, 0]
-    low, high = at[about.row], at[about.row + len(at) // 2]
-    other = f"{2 * low if low > at[0] else 2 * high:g}° − ${drive}$"
+    drive, at, shown = made.columns[0].symbol, made.values[:, 0], half(made, about, near).values[:, 0]
+    whole = 2 * at[0] + (at[1] - at[0]) * about.sum
+    other = f"{whole or _TURN:g}° − ${drive}$"
+    low, high = (f"{angle:g}".replace("-", "−") for angle in (shown[0], shown[-1]))
     zh, en = zip(*_kinds(about), strict=True)
     return Words(
-        f"运动具有对称性：${drive}$ 换为 {other} 时，{'，'.join(zh)}，故只列 {low:g}° 至 {high:g}°。",
-        f"The motion is symmetrical: with {other} in place of ${drive}$, {', '.join(en)}; {low:g}° to {high:g}° are "
+        f"运动具有对称性：${drive}$ 换为 {other} 时，{'，'.join(zh)}，故只列 {low}° 至 {high}°。",
+        f"The motion is symmetrical: with {other} in place of ${drive}$, {', '.join(en)}; {low}° to {high}° are "
         "listed. ",
     )
 
@@ -75,9 +86,9 @@ def _is_one_turn(at: Reals) -> bool:
     return bool(np.allclose(steps, steps[0])) and abs(abs(len(at) * steps[0]) - _TURN) < _RELATIVE
 
 
-def _about(made: Table, row: int) -> Mirror | None:
+def _about(made: Table, total: int) -> Mirror | None:
     count = len(made.values)
-    order = (2 * row - np.arange(count)) % count
+    order = (total - np.arange(count)) % count
     even, odd, turned = list[Column](), list[Column](), list[tuple[Column, float]]()
     for column, values in zip(made.columns[1:], made.values.T[1:], strict=True):
         if not np.isfinite(values).all():
@@ -92,4 +103,4 @@ def _about(made: Table, row: int) -> Mirror | None:
             turned.append((column, float(both.mean())))
         else:
             return None
-    return Mirror(row, tuple(even), tuple(odd), tuple(turned))
+    return Mirror(total, tuple(even), tuple(odd), tuple(turned))

@@ -29,7 +29,7 @@ def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style:
     """A table of these columns at the rows of the table, or at every so many of them; half of what is symmetrical."""
     made, repeated = _of_one_period(study, keys, every)
     about = mirror(made)
-    shown = made if about is None else half(made, about)
+    shown = made if about is None else half(made, about, given_place(study))
     return laid_out(shown, press, title + repeated, style, _HALVED if study.dense else _HALVED - 1)
 
 
@@ -37,7 +37,12 @@ def halved(study: Study, keys: Sequence[str], every: int = 1) -> Words:
     """Of what is symmetrical, how the half that is not listed follows from the table; else nothing."""
     made, _ = _of_one_period(study, keys, every)
     about = mirror(made)
-    return Words("", "") if about is None else told(made, about)
+    return Words("", "") if about is None else told(made, about, given_place(study))
+
+
+def given_place(study: Study) -> float:
+    """Where the drive stands in the problem, as tables tell it."""
+    return study.turn.drive.factor * study.mech.drive.position
 
 
 def _of_one_period(study: Study, keys: Sequence[str], every: int) -> tuple[Table, Words]:
