@@ -29,7 +29,7 @@ from vecpoly.findings.study.from_pivots import from_pivots
 from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load, loads
 from vecpoly.report.content import Objects
-from vecpoly.report.course.checks.chapter import _checked
+from vecpoly.report.course.checks.chapter import _checked, _told
 from vecpoly.report.course.modelling import formulas
 from vecpoly.report.course.modelling.dimensions import rounded
 from vecpoly.report.course.numbering import Press
@@ -101,7 +101,12 @@ def test_a_jacobian_is_the_derivative_of_its_loops(angles: list[float]) -> None:
 def chapters_of_class_three() -> tuple[str, Objects]:
     """What chapters 2, 4, 6 and 7 say of it: its cycle, on which the others are built, is found slowly."""
     it, press = class_three(), Press("en", Objects())
-    told = (structure.chapter(it, press), formulas.chapter(it, press), drawings.chosen(it, "en"), _checked(it, press))
+    told = (
+        structure.chapter(it, press),
+        formulas.chapter(it, press),
+        drawings.chosen(it, "en"),
+        _told(it, _checked(it)).en,
+    )
     return str(told), press.objects
 
 
@@ -115,10 +120,9 @@ def report_of_class_three() -> tuple[str, Objects]:
 def test_a_class_three_mechanism_has_a_course_report_without_sheets(made: Callable[[], tuple[str, Objects]]) -> None:
     text, objects = made()
     captions = [one.caption for one in objects.named.values() if isinstance(one, DataTable)]
-    for said in ("class III mechanism", "Newton"):
+    for said in ("class III mechanism", "Newton", "differs from the solver by more than"):
         assert said in text, said
-    for said in ("The Jacobian", "The model checked"):
-        assert any(said in caption for caption in captions), said
+    assert any("The Jacobian" in caption for caption in captions)
     assert not any(isinstance(one, SheetPage) for one in objects.named.values())
 
 

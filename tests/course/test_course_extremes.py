@@ -31,9 +31,9 @@ def test_a_curve_marks_the_extremes_that_are_told(name: str, monkeypatch: pytest
     it, marked = studied(name), list[tuple[str, float, float]]()
     told = peaks.told
 
-    def heard(alike: Sequence[peaks.Spot], drive: Column) -> str:
+    def heard(alike: Sequence[peaks.Spot], drive: Column, of: str) -> str:
         marked.extend((key, *spot) for spot in alike)
-        return told(alike, drive)
+        return told(alike, drive, of)
 
     monkeypatch.setattr(peaks, "told", heard)
     reduced = [equivalents(it.mech)[0].inertia.key] if name == "shaper-flywheel" else []
@@ -82,7 +82,9 @@ def test_the_surplus_of_work_and_the_flywheel_follow_from_the_figures_printed(na
     assert isinstance(run, Running) and run.steady is not None and run.cuts is not None and run.found is not None
     read = [one for lang in BOTH for one in sums(_told(studied(name), run).of(lang))]
     results = (run.by_areas, run.found.flywheel)
-    for work, result in zip((run.surplus, run.cuts.cut), results, strict=True):
+    told = _divided((run.surplus, run.cuts.cut), run.steady)
+    for line, result in zip(told, results, strict=True):
         assert result is not None
-        read += sums(f"J_F = {_divided(work, run.steady)} = {number(result, 5)} kg·m²")
+        read += sums(f"J_F = {line} = {number(result, 5)} kg·m²")
+    assert told[0].partition(" / ")[2] == told[1].partition(" / ")[2], "divided by one number with one count of figures"
     assert len(read) == 4 and all(one.holds for one in read), [one.text for one in read if not one.holds]

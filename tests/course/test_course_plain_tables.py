@@ -11,7 +11,7 @@ from tests.laws import few
 from tests.studies import course_text, stations, studied
 from vecpoly.report.content import Objects
 from vecpoly.report.course.checks import comparison
-from vecpoly.report.course.checks.thousandths import figures
+from vecpoly.report.course.checks.three_digits import figures
 from vecpoly.report.course.numbering import Press
 from vecpoly.report.course.results.chapter import sections
 from vecpoly.report.course.results.circling import is_trivial

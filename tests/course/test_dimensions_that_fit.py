@@ -18,13 +18,18 @@ PROBLEMS = Path(__file__).parents[2] / "problems"
 @pytest.mark.parametrize(("name", "fixed"), [("travel-doubler", {"y_{C}", "y_{E}"}), ("rack-lift", {"x_{P}"})])
 def test_what_gears_and_racks_need_to_mesh_is_fixed_and_no_limit_of_assembly(name: str, fixed: set[str]) -> None:
     """A gear is off its rack wherever the crank stands: not "about 180°", nor from +0.02 mm on."""
-    study, press = studied(name), Recorder()
-    found = influences(study)
+    found = influences(studied(name))
     assert {one.dimension.name.en.strip("$") for one in found if one.fitted} == fixed
     assert not any(one.least or one.most for one in found if one.fitted)
-    told = " ".join(tolerances.section(study, press)["judged"])
+
+
+def test_what_cannot_be_changed_alone_is_said_and_has_no_row_of_dashes() -> None:
+    press = Recorder()
+    told = " ".join(tolerances.section(studied("travel-doubler"), press)["judged"])
     assert "cannot be changed alone" in told and "no longer be assembled" not in told
-    assert any("fixed by the others" in line for line in press.lines)
+    named = {line[0].strip("$") for line in press.lines}
+    assert named and not named & {"y_{C}", "y_{E}"} and not any("—" in line for line in press.lines)
+    assert tolerances.section(studied("rack-lift"), Recorder()) == {"sensitivity": "", "judged": []}
 
 
 @pytest.mark.parametrize("name", ["peaucellier", "7-1"])

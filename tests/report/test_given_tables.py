@@ -7,12 +7,13 @@ from typing import get_args
 
 import pytest
 
-from tests.drawn_library import DRAFTED, drafted
+from tests.drawn_library import DRAFTED, LIBRARY, drafted, given
 from tests.each import each
 from tests.lawful import CARD, ENGINE, slider
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
 from vecpoly.report.content import beside_tables
+from vecpoly.report.statement.in_table import in_table
 from vecpoly.report.tables import MOST_GIVEN, given_tables
 from vecpoly.solution import solve
 from vecpoly.words import Lang
@@ -77,3 +78,18 @@ def test_places_are_given_in_one_notation_and_directions_say_what_they_are() -> 
 
 def test_a_problem_without_a_table_has_none() -> None:
     assert not given_tables(load("3-9"), "zh")
+
+
+@each(LIBRARY)
+def test_the_units_of_a_table_of_data_are_units_and_no_numbers(name: str) -> None:
+    """A moment of inertia of a shaft and a gear: 0.08 + 0.01 kg·m² has its unit once."""
+    table = in_table(given(name), "en")[1]
+    for row in table.rows if table is not None and "Unit" in table.header else ():
+        assert table is not None
+        units = [row[n] for n, head in enumerate(table.header) if head == "Unit"]
+        assert not [unit for unit in units if re.search(r"\d|\+", unit.replace("^2", "").replace("^3", ""))]
+
+
+def test_a_sum_of_two_in_one_unit_has_it_once() -> None:
+    table = in_table(load("7-2a"), "zh")[1]
+    assert table is not None and table.rows[1][:3] == ("$J_{I}$", "0.08 + 0.01", "kg·m²")

@@ -9,9 +9,13 @@ import pytest
 from tests.drawn_library import IDS, drawn
 from tests.each import each
 from tests.studies import solved
-from vecpoly.board.paper.marks import Point
+from vecpoly import loads
+from vecpoly.board.construction import Construction, Figure
+from vecpoly.board.paper.marks import Note, Point
+from vecpoly.problem.load import load
 from vecpoly.problem.values.made import problem
 from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.framed.readings import Blank, readings
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.question.working import LEAST_ROOM, Spare, working
 from vecpoly.report.statement.asked import asked
@@ -52,6 +56,23 @@ def test_a_chain_that_is_judged_by_its_lengths_is_sketched_as_one() -> None:
     assert {"A", "B", "C", "D"} <= {mark.label for mark in figure.marks if isinstance(mark, Point)}
 
 
+def test_which_link_is_the_frame_of_a_double_rocker_is_told_by_no_symbol() -> None:
+    """l_CD min and l_CD max told that it is CD."""
+    one = solved("8-1")
+    langs: tuple[Lang, ...] = ("zh", "en")
+    for lang in langs:
+        cells = " ".join(row[0] for row in empty_table(one, lang).rows)
+        blanks = [blank.symbol for figure in one.construction.figures for blank in asked_on(one.construction, figure)]
+        told = re.sub("[{}]", "", " ".join([asked(one, lang), cells, *blanks]))
+        assert "l_f min" in told and len(blanks) == 4 and not re.search("AB|BC|CD|AD", told)
+
+
+def asked_on(construction: Construction, figure: Figure) -> tuple[Blank, ...]:
+    """The lines of a frame."""
+    found = readings(construction, figure)
+    return () if found is None else found.blanks
+
+
 def test_a_chain_that_does_not_reach_the_position_of_the_sketch_has_none_of_it() -> None:
     data = {"AB": "100 mm", "BC": "300 mm", "CD": "150 mm", "AD": "110 mm"}
     told = {"id": "g", "title": {"zh": "甲", "en": "a"}, "synthesis": "grashof", "data": data, "find": ["ends"]}
@@ -69,3 +90,23 @@ def test_what_the_page_leaves_below_the_results_is_squared_if_it_is_no_strip(roo
     height = block.wrap(COLUMN, alone + room * MM)[1]
     assert (height > alone + 1.0) == (room * MM >= LEAST_ROOM + block._other(COLUMN) - alone)
     assert alone <= height <= alone + room * MM and block.split(COLUMN, alone / 2) == foot
+
+
+@pytest.mark.parametrize(
+    ("name", "lengths"),
+    [("8-17", {"l_AB", "l_AC", "l_CD", "l_DE", "h"}), ("whitworth-by-K", {"l_AB", "l_AC", "l_CD", "l_DE"})],
+)
+def test_a_quick_return_that_is_to_be_found_is_sketched_in_proportions_that_are_no_answer(
+    name: str, lengths: set[str]
+) -> None:
+    """Its statement alone told how crank, lever, rod and ram hang together."""
+    figures = []
+    for time_ratio in ("2", "1.5"):
+        text = re.sub(r"\bK: [\d.]+", f"K: {time_ratio}", load(name).text)
+        one = solve(loads(text), repeats=0, precise=False)
+        figures.append(sketched(one.problem, one.construction, 120.0, 70.0))
+    first, second = figures
+    assert first is not None and second is not None and first.marks == second.marks and "示意图" in first.title.zh
+    labels = {re.sub("[${}]", "", getattr(mark, "label", "") or "") for mark in first.marks}
+    told = {re.sub("[${}]", "", mark.words.zh) for mark in first.marks if isinstance(mark, Note)}
+    assert lengths <= labels | told and set("ABCDE") <= labels

@@ -167,7 +167,7 @@ def _panel(
         style.line(at, [phi[0], phi[-1]], [USUAL] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
         lines.append(np.array([complex(x, USUAL) for x in (phi[0], phi[-1])]))
         _bound(at, lines[:-1])
-    label_peaks(at, lines, peaks, [pen.hue for pen in pens], drive)
+    label_peaks(at, lines, peaks, [pen.hue for pen in pens], drive, group[0].shown_unit)
 
 
 def _bound(at: Any, lines: list[Points]) -> None:

@@ -27,12 +27,17 @@ _COVERED = 0.5  # what stands under a text: with more than that it is left out, 
 
 
 def label_peaks(
-    at: Any, lines: Iterable[Points], spots: Iterable[Sequence[Spot]], hues: Iterable[Hue], drive: Column
+    at: Any,
+    lines: Iterable[Points],
+    spots: Iterable[Sequence[Spot]],
+    hues: Iterable[Hue],
+    drive: Column,
+    unit: str = "",
 ) -> None:
     """A dot at the highest and the lowest spot of each curve, and beside it value and place in the curve's ink; none
     where these would cover something. What stands farthest out has its number first.
 
-    lines: all curves, in shown units; spots: the turning points of each; hues: the ink of each.
+    lines: all curves, in shown units; spots: the turning points of each; hues: the ink of each; unit: of the values.
     """
     (low, high), ends = at.get_ylim(), at.get_xlim()
     placer = Placer(at, [*lines, np.array([complex(x, 0.0) for x in ends])] if low < 0 < high else [*lines])
@@ -41,7 +46,7 @@ def label_peaks(
     if marked:
         placer.keep_clear(np.array(marked), 0.7)
     for alike, up, hue in sorted(every, key=lambda one: -abs(one[0][0][1] - (low + high) / 2)):
-        if placer.put(complex(*alike[0]), told(alike, drive), 1j * up, SIZE, most=_COVERED, hue=hue):
+        if placer.put(complex(*alike[0]), told(alike, drive, unit), 1j * up, SIZE, most=_COVERED, hue=hue):
             dotted = alike if len(_places(alike)) <= _BOTH else alike[:1]
             style.dots(at, [x for x, _ in dotted], [y for _, y in dotted], hue)
 
@@ -81,11 +86,13 @@ def _alike(known: Extremes, end: Turned) -> list[Turned]:
     return [one for one in (*known.maxima, *known.minima) if abs(one.value - end.value) <= near] or [end]
 
 
-def told(alike: Sequence[Spot], drive: Column) -> str:
-    """The value to four figures, and the drive's places to 0.1° or 0.1 mm: of two that are equally high both."""
+def told(alike: Sequence[Spot], drive: Column, of: str = "") -> str:
+    """The value to four figures, of an angle to 0.1° as in the text, and the drive's places to 0.1° or 0.1 mm: of two
+    that are equally high both."""
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
     places = [f"{style.number(place)}{unit}" for place in _places(alike)]
-    return f"{figures(alike[0][1])} ({', '.join(places) if len(places) <= _BOTH else places[0]})"
+    value = f"{alike[0][1]:.1f}".replace("-", "−") if of == "°" else figures(alike[0][1])
+    return f"{value} ({', '.join(places) if len(places) <= _BOTH else places[0]})"
 
 
 def _places(alike: Sequence[Spot]) -> list[float]:

@@ -14,7 +14,7 @@ from .base import Design
 from .quantities import FOUR_BAR
 
 ENDS, MIDDLE = Named("ends", "l_{min} + l_{max}", "mm"), Named("middle", "l′ + l″", "mm")
-LEAST, MOST = Named("CD_min", "l_{CD min}", "mm"), Named("CD_max", "l_{CD max}", "mm")
+LEAST, MOST = Named("CD_min", "l_{f min}", "mm"), Named("CD_max", "l_{f max}", "mm")  # f: which link, is asked
 
 
 class Grashof(Design):

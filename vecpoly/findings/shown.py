@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from math import isclose
+
 import numpy as np
 
+from ..algebra.columns import significant
 from ..algebra.quantity import number
+from ..algebra.rounding import read_back
 from ..cycle import Extremes, Spot
 from ..words import Words
 from .study.study import Study
 
 _LOADS, _LARGE = ("N", "N·m"), 1e5  # units of which a thousand is told by k, from which size on
+_EXACT = 1e-9
 _ALIKE = 1e-6  # of the greatest value: two extremes are one
 
 
@@ -22,8 +27,14 @@ def shown(study: Study, key: str, value: float, digits: int = 4) -> str:
     size = info.factor * value
     if unit in _LOADS and abs(size) >= _LARGE:
         size, unit = 1e-3 * size, f"k{unit}"
-    text = f"{size:.1f}".replace("-", "−") if unit == "°" else number(size, digits)
+    text = f"{size:.1f}".replace("-", "−") if unit == "°" else _figures(size, digits)
     return text + (unit if unit == "°" else f" {unit}" if unit else "")
+
+
+def _figures(size: float, digits: int) -> str:
+    """A number with all of its figures, as a table has it: 0.9880; one that is told exactly by fewer with these: 80."""
+    short = number(size, digits)
+    return short if "×" in short or isclose(read_back(short)[0], size, rel_tol=_EXACT) else significant(size, digits)
 
 
 def span(study: Study) -> Words:

@@ -82,7 +82,7 @@ def letters(text: str, em: float, bold: bool) -> Box:
 
 WORD = pattern(
     r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])"
-    r"|II+|I?V(?=I)I+|IV|(?:^|(?<=[a-z]))I(?![A-Z])"
+    r"|II+|I?V(?=I)I+|IV|(?:^|(?<=[a-z])|(?<=I,))I(?![A-Z])"
     r"|(?:(?<=^[0-9])|(?<=^[0-9][0-9])|(?<=^M))I$"  # W_1I beside W_1II, θ_MI beside θ_MII: planes, orders
 )
 NUMBERED = pattern(r"^(?:II+|IV|VI+)$")  # a plane, a shaft, a group

@@ -11,6 +11,7 @@ from ...printed.digits import coarse, is_hopeless, on_paper
 from ...solution import Answer, Solution
 from ...words import Lang, Words
 from ..values import is_worded
+from .placed import clean
 
 # keys of conditions whose yes says all: their reason is in the steps
 PLAIN = frozenset({"determined", "v_allowed", "static", "dynamic"})
@@ -56,6 +57,17 @@ def error_of(answer: Answer) -> str:
     """By how much a coarse reading may be off, of its value: ±17 %; nothing where that need not be told."""
     share = coarse(answer)
     return "" if share is None or is_hopeless(answer) else f"±{100 * share:.0f} %"
+
+
+def unread_words(answers: Iterable[Answer], lang: Lang) -> str:
+    """Which of them could not be read, in a sentence; nothing where all could."""
+    named = [f"${one.reading.symbol}$" for one in answers if is_hopeless(one) and clean(one)]
+    if not named:
+        return ""
+    return Words(
+        f"{'、'.join(named)} 的{UNREADABLE.zh}，不计偏差。",
+        f"{' and '.join(named)}: {UNREADABLE.en}; no deviation is told.",
+    ).of(lang)
 
 
 def _remarks(answers: Iterable[Answer], lang: Lang) -> Iterator[str]:

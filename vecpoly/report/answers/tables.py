@@ -123,13 +123,18 @@ def filled(answers: Sequence[Answer], solution: Solution, lang: Lang) -> tuple[l
     header, one_unit = _headed(answers, lang)
     rows = [row_of(one, solution, lang, "" if one_unit else unit_of(one)) for one in answers]
     told = [row[_OFF] for row in rows]
-    worth = [NOTHING if is_hopeless(one) else off for one, off in zip(answers, told, strict=True)]
-    header[_OFF], offs = _in_one_unit(_DEVIATION.of(lang), worth)
-    header[-1], errors = _in_one_unit(_EXPECTED.of(lang), beside(answers, told))
+    lost = [is_hopeless(one) and off != NOTHING for one, off in zip(answers, told, strict=True)]
+    header[_OFF], offs = _in_one_unit(_DEVIATION.of(lang), _worth(told, lost))
+    header[-1], errors = _in_one_unit(_EXPECTED.of(lang), _worth(beside(answers, told), lost))
     if one_unit != NOTHING and all(off == NOTHING for off in told):  # each in the unit of its row
         errors = [error.partition(" ")[0] for error in errors]
         header[-1] = _EXPECTED.of(lang) + (f" /{braced(one_unit)}" if one_unit else "")
     return header, [(*row[:_OFF], off, error) for row, off, error in zip(rows, offs, errors, strict=True)]
+
+
+def _worth(cells: Sequence[str], lost: Sequence[bool]) -> list[str]:
+    """No deviation and no share of what could not be read."""
+    return [NOTHING if one else cell for cell, one in zip(cells, lost, strict=True)]
 
 
 def _values(every: list[Answer], solution: Solution, lang: Lang) -> DataTable:

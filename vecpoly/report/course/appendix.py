@@ -1,5 +1,5 @@
-"""The appendix: all that the problem gives, and the data of all points and links; for templates that print it, the
-problem file."""
+"""The appendix: the data of all points and links that chapter 5 leaves out; for templates that print it, the problem
+file."""
 
 from __future__ import annotations
 
@@ -14,42 +14,39 @@ from ...words import Words, joined
 from ..flow.listing import Listing
 from .numbering import TINY, Press
 from .one_language import in_one_language
-from .results.circling import circling
-from .results.tabled import tabled
-from .statement import every_datum, in_words
+from .results.circling import circling, is_trivial
+from .results.tabled import halved, tabled
 
 _COLUMNS, _FEW = 11, 25  # of a table; rows that are all told
 _RATES = {"p": Words("位置", "position"), "v": Words("速度", "velocity"), "a": Words("加速度", "acceleration")}
 
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
-    """The given data and the tables, these only for what chapter 5 does not show; the listing."""
+    """The tables of what chapter 5 does not show; the listing."""
     press.chapter = "A"
-    text = study.problem.text
+    text, parted, every = study.problem.text, [*_parted(study)], _every(study)
+    tables = [tabled(study, press, keys, title, TINY, every) for keys, title in parted]
+    called = [press.called[name] if len(tables) > 1 else "" for name in tables]
+    halves = [_symmetry(study, keys, name) for (keys, _), name in zip(parted, called, strict=True)]
     return {
-        "given": every_datum(study, press),
-        "words": in_words(study, press),
         "file": press.objects.add("listing", Listing(in_one_language(text, press.lang))) if text else "",
         "several": "extends:" in text,
-        "tables": list(_tables(study, press)),
-        "sparse": _every(study) > 1,
+        "tables": tables,
+        "same": "".join(words.of(press.lang) for words in (_as_points(study), *halves)),
+        "sparse": every > 1,
     }
 
 
-def _tables(study: Study, press: Press) -> Iterator[str]:
-    """The points that chapter 5 leaves out, two or three to a table; slides and transmission angles."""
+def _parted(study: Study) -> Iterator[tuple[list[str], Words]]:
+    """The columns of each table with its title: the points that chapter 5 leaves out, two or three to a table; slides
+    and transmission angles."""
     shown = {*study.points, *circling(study)}
     rest = [c.key[2:] for c in study.whole.columns if c.key.startswith("p_") and c.key[2:] not in shown]
     parts, abreast = (("p_{}", "v_{}.abs", "a_{}.abs"), 3) if study.dense else (("p_{}", "v_{}", "a_{}"), 2)
     groups = [rest[i : i + abreast] for i in range(0, len(rest), abreast)]
     last = groups.pop() if groups and len(groups[-1]) < abreast else []  # a small table fills the last page
-    yield from (_points(study, press, letters, parts) for letters in groups)
-    drive = study.turn.real(study.whole.drive.key)
-    slides = [
-        c.key
-        for c in study.whole.columns
-        if c.key.startswith("s_") and not np.allclose(study.turn.real(c.key), drive, equal_nan=True)
-    ]
+    yield from (_of_points(study, letters, parts) for letters in groups)
+    slides = own_slides(study)
     told = [key for s in slides for key in (s, f"v_{s[2:]}", f"a_{s[2:]}")]
     told += [t.key for t in study.facts.transmissions if not t.is_constant]
     wide = sum(len(study.turn.info(part.format(letter)).parts) for letter in last for part in parts)
@@ -58,9 +55,50 @@ def _tables(study: Study, press: Press) -> Iterator[str]:
         last = []
     for i in range(0, len(told), _COLUMNS):
         some = told[i : i + _COLUMNS]
-        yield tabled(study, press, some, _title(study, some, bool(slides)), TINY, _every(study))
+        yield some, _title(study, some, bool(slides))
     if last:
-        yield _points(study, press, last, parts)
+        yield _of_points(study, last, parts)
+
+
+def _symmetry(study: Study, keys: list[str], called: str) -> Words:
+    """How the half that a table does not list follows; called: the table, where there are several."""
+    half = halved(study, keys, _every(study))
+    return half if not half.zh or not called else Words(f"{called}：", f"{called}: ") + half
+
+
+def own_slides(study: Study) -> list[str]:
+    """The sliding motions that are not told as a coordinate of a point already."""
+    told = dict(told_as(study))
+    return [key for key in _own(study) if key not in told]
+
+
+def told_as(study: Study) -> Iterator[tuple[str, str]]:
+    """Each sliding motion that is a coordinate of a point of chapter 5, with that coordinate."""
+    listed = [letter for letter in study.points if not is_trivial(study, letter)]
+    places = [f"p_{letter}.{axis}" for letter in listed for axis in "xy"]
+    for key in _own(study):
+        slid = study.turn.real(key)
+        same = (one for one in places if study.varies(one) and np.allclose(study.turn.real(one), slid, equal_nan=True))
+        if (place := next(same, None)) is not None:
+            yield key, place
+
+
+def _own(study: Study) -> list[str]:
+    """The sliding motions that are not the drive's own."""
+    drive = study.turn.real(study.whole.drive.key)
+    slides = [column.key for column in study.whole.columns if column.key.startswith("s_")]
+    return [key for key in slides if not np.allclose(study.turn.real(key), drive, equal_nan=True)]
+
+
+def _as_points(study: Study) -> Words:
+    """That these slides move as points of chapter 5 do: $s_{56}$ = $x_E$."""
+    pairs = [f"${study.whole.info(key).symbol}$ = ${study.whole.info(place).symbol}$" for key, place in told_as(study)]
+    if not pairs:
+        return Words("", "")
+    return Words(
+        f"{'、'.join(pairs)}，相应的速度、加速度也相同，不另列。",
+        f"{', '.join(pairs)}, with the velocities and accelerations of chapter 5. ",
+    )
 
 
 def _title(study: Study, keys: list[str], slides: bool) -> Words:
@@ -79,9 +117,9 @@ def _title(study: Study, keys: list[str], slides: bool) -> Words:
     )
 
 
-def _points(study: Study, press: Press, letters: list[str], parts: tuple[str, ...]) -> str:
+def _of_points(study: Study, letters: list[str], parts: tuple[str, ...]) -> tuple[list[str], Words]:
     keys = [part.format(letter) for letter in letters for part in parts]
-    return tabled(study, press, keys, _motion(study, letters, keys), TINY, _every(study))
+    return keys, _motion(study, letters, keys)
 
 
 def _every(study: Study) -> int:

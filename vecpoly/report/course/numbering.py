@@ -113,10 +113,13 @@ class Press:
         kind, _, number = first.partition(" ")
         return f"{kind}s {number} {'and' if two else 'to'} {last.partition(' ')[2]}"
 
+    def through_all(self, names: Sequence[str]) -> str:
+        """What the things of these names are called together."""
+        return self.through([one for name in names for one in self._called[name]])
+
     def shown(self, tables: Sequence[str], figures: Sequence[str]) -> str:
         """A sentence that says where values and curves of a section are found: in Table 5-2, in Figure 5-3."""
-        every = [[one for name in some for one in self._called[name]] for some in (tables, figures)]
-        listed = [self.through(some) if some else "" for some in every]
+        listed = [self.through_all(some) if some else "" for some in (tables, figures)]
         told = _BOTH if all(listed) else _LISTED if listed[0] else _DRAWN
         return told.of(self.lang).format(*filter(None, listed)) if any(listed) else ""
 

@@ -14,7 +14,9 @@ from ...names import Rel
 from ...problem.values.given import Datum, as_printed
 from ...words import Words
 from ..content import pivots, statement
+from ..flow.table import DataTable
 from ..picture import picture, to_scale
+from ..statement.in_table import in_table
 from ..statement.shortened import shortened
 from ..tables import given_tables
 from .modelling.dimensions import dimensions, listed, rounded
@@ -42,15 +44,19 @@ def task(study: Study, press: Press) -> dict[str, Any]:
     return {
         **told,
         **known(study, press, listed(study, figure)),
-        "tables": [
-            press.table(_TABLE, one.header, one.rows, one.align) for one in given_tables(study.problem, press.lang)
-        ],
+        "tables": [press.table(_TABLE, one.header, one.rows, one.align) for one in _series(study, press)],
         "picture": press.figure(scene, title) if scene else "",
         "dimensions": dimensions(study, press, figure),
         "freedom": mobility(study.mech).freedom,
         "more": ("、" if press.lang == "zh" else ", ").join(_more(study)),
         "assumed": assumed(study).of(press.lang),
     }
+
+
+def _series(study: Study, press: Press) -> list[DataTable]:
+    """What is given by a table of its own, as p over φ; the single numbers have theirs."""
+    single = in_table(study.problem, press.lang)[1] is not None
+    return given_tables(study.problem, press.lang)[single:]
 
 
 def known(study: Study, press: Press, listed: frozenset[str] = frozenset()) -> dict[str, Any]:
@@ -70,19 +76,6 @@ def known(study: Study, press: Press, listed: frozenset[str] = frozenset()) -> d
 
 def _bare(symbol: str) -> str:
     return symbol.replace("{", "").replace("}", "")
-
-
-def every_datum(study: Study, press: Press) -> str:
-    """All numbers that the problem gives, with those that other chapters tell; nothing where there is none."""
-    rows = [row for datum in study.problem.given.data if (row := _parts(datum, press)) is not None]
-    return _data(rows, press) if rows else ""
-
-
-def in_words(study: Study, press: Press) -> str:
-    """What the problem gives beside that table: the fixed points, and what takes words."""
-    told = [datum.of(press.lang) for datum in study.problem.given.data if _parts(datum, press) is None]
-    every = [pivots(study.mech).of(press.lang), *map(shortened, told)] if study.mech.frame else [*map(shortened, told)]
-    return ("，" if press.lang == "zh" else ", ").join(every)
 
 
 def _data(rows: list[tuple[str, str, str]], press: Press) -> str:

@@ -14,7 +14,7 @@ from ..flow.furniture import COLUMN
 from ..flow.style import PALE
 
 SQUARE = 5.0 * MM
-LEAST_ROOM, _LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; less is no room: over a tall table
+LEAST_ROOM, _LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; for a line or two, or over a tall table
 BEGUN = 70.0 * MM  # of squares that go on overleaf: a lower strip stays white
 _TALL, _TALLEST = 180.0 * MM, 190.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
 _GAP = 3.0 * MM
@@ -63,7 +63,8 @@ class Working(Block):
         self._lang, self.outline, self._need, self._foot = lang, title, need, tuple(foot)
         self.name = title
         self._head = (Heading(title, 3, lang),) if title else ()
-        self._least = LEAST_ROOM if sum(_tall(one, COLUMN) for one in foot) <= _TALL else _LITTLE
+        low = need <= _LITTLE or sum(_tall(one, COLUMN) for one in foot) > _TALL
+        self._least = _LITTLE if low else LEAST_ROOM
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """All that is left, where it suffices, if need be for work in two columns."""

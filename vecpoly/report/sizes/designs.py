@@ -23,9 +23,9 @@ _SWING, _STROKE = "ψ", "H"
 _TURNED = (("φ", "A", "B"), ("φ_1", "A", "B_1"), ("ψ_1", "D", "C_1"))  # angles, pivots and pins
 
 
-def design(subject: Design, told: str, figure: Figure) -> Iterator[Mark]:
+def design(subject: Design, told: str, figure: Figure, *, true: bool = True) -> Iterator[Mark]:
     """Each length that the statement or the data name and whose ends are given; the stroke of a slider; the swing of a
-    rocker. told: the statement."""
+    rocker. told: the statement; true: whether what is given is drawn as long as it is."""
     spots = {m.label: m.at for m in figure.marks if isinstance(m, Point) and m.dot is not Dot.NONE}
     data = dict(subject.given())
     bars: dict[frozenset[str], str] = {}
@@ -36,7 +36,7 @@ def design(subject: Design, told: str, figure: Figure) -> Iterator[Mark]:
         named = _BAR.fullmatch(symbol)
         ends = _stroke(spots) if named is None else _between(named[1], named[2], spots)
         for a, b in ends:
-            if (text := data.get(symbol)) is None or _is_drawn(text, abs(b - a) * figure.scale.value):
+            if not true or (text := data.get(symbol)) is None or _is_drawn(text, abs(b - a) * figure.scale.value):
                 yield from _length(figure, a, b, symbol)
                 break
     yield from _offset(data.get("e", ""), figure, spots)

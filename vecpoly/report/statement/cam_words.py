@@ -31,6 +31,7 @@ _MEANT = {
     "e_apex": Words("轴心取在 $D$ 时的偏距", f"the offset{_AT_D}"),
     "s0_apex": Words("轴心取在 $D$ 时从动件的起始高度", f"the follower's height at the start{_AT_D}"),
 }
+_PITCH = Words("理论廓线的最小曲率半径", "the minimum radius of curvature of the pitch curve")  # beside the actual one
 _STATIONS = {
     "s": Words("时从动件的位移", "the follower's travel"),
     "psi": Words("时摆杆的摆角", "the arm's angle"),
@@ -51,5 +52,6 @@ def meant_by(subject: object, key: str, symbol: str) -> Words | None:
     if (station := _STATION.fullmatch(key)) is not None:
         what, at = _STATIONS[station[1]], f"$φ$ = {station[2]}°"
         return Words(f"{at} {what.zh} {symbol}", f"{what.en} {symbol} at {at}")
-    meant = _MEANT.get(key)
+    rolls = any(named.key == "rho_profile" for named in subject.quantities())
+    meant = _PITCH if key == "rho_min" and rolls else _MEANT.get(key)
     return None if meant is None else Words(f"{meant.zh} {symbol}", f"{meant.en} {symbol}")

@@ -27,7 +27,9 @@ _NONE = "—"
 _SEE = Words("见下表", "see the table")
 OTHERS = Words("；其余数据见下表", "; the other data are in the table")  # behind what stands in the line
 _MANY = 8  # numbers that make a table where they have no columns
-_SCALAR = re.compile(r"\$([^$]+)\$ = (−?[\d.]+)(°|\s?[^\s\d（(][^（(]*)?")
+_SCALAR = re.compile(r"\$([^$]+)\$ = ([^（(]+)")
+_TERM = re.compile(r"(−?[\d.]+(?:/[\d.]+)?)(°|\s?[^\s\d+/][^+]*)?")  # of a sum: 0.08 kg·m² + 0.01 kg·m²; 1/60
+_PLUS = " + "
 _HEAD = (Words("符号", "Symbol"), Words("数值", "Value"), Words("单位", "Unit"))
 _BLOCKS = 4  # beside each other, at most
 _MEANT = {  # of a rotor
@@ -63,9 +65,15 @@ def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable
 
 
 def _scalar(one: Datum, lang: Lang) -> tuple[str, str, str] | None:
-    """Symbol, number, unit of what is nothing but these; what has a sense beside them stands in the line."""
+    """Symbol, number (or a sum of numbers), unit of what is nothing but these; what has a sense beside them, or no one
+    unit, stands in the line."""
     found = None if one.words is not None or one.table is not None else _SCALAR.fullmatch(shortened(one.of(lang)))
-    return None if found is None else (f"${found[1]}$", found[2], (found[3] or _NONE).strip())
+    terms = [_TERM.fullmatch(term) for term in found[2].split(_PLUS)] if found is not None else []
+    told = [term for term in terms if term is not None]
+    units = {(term[2] or _NONE).strip() for term in told}
+    if found is None or len(told) < len(terms) or len(units) != 1:
+        return None
+    return f"${found[1]}$", _PLUS.join(term[1] for term in told), units.pop()
 
 
 def _abreast(listing: Listing, lang: Lang) -> DataTable:

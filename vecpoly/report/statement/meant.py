@@ -96,8 +96,8 @@ _GUIDE_BAR = _DESIGN | {"psi(_.*)?": Words("导杆的摆角", "swing of the guid
 _GRASHOF = {
     "ends": Words("最短杆与最长杆长度之和", "sum of the shortest and the longest link"),
     "middle": Words("其余两杆长度之和", "sum of the two remaining links"),
-    "CD_min": Words("杆长的下限", "lower bound of the length"),
-    "CD_max": Words("杆长的上限", "upper bound of the length"),
+    "CD_min": Words("双摇杆机构机架长度的下限", "lower bound of the frame of the double rocker"),
+    "CD_max": Words("双摇杆机构机架长度的上限", "upper bound of the frame of the double rocker"),
 }
 _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Structure, _COUNTS),

@@ -87,12 +87,12 @@ def _range(draft: Draft, lengths: dict[str, Quantity]) -> None:
     board.step(
         Words(
             f"$CD$ 与最短杆 $AB$ 相对。$CD$ 最短且 $l_CD + l_{{{long}}} ≤ {sums}$ 时为双曲柄机构，否则为双摇杆机构；"
-            f"$CD$ 最长时须小于其余三杆之和。截取 ${sums}$，再反向截取 $l_{{{long}}}$，得下限；三杆接连截取，得上限"
-            "（均不含端点：下限处为转折点，上限处成一直线）：",
+            f"$CD$ 最长时须小于其余三杆之和。截取 ${sums}$，再反向截取 $l_{{{long}}}$，得机架长 $l_f$ 的"
+            "下限；三杆接连截取，得上限（均不含端点：下限处为转折点，上限处成一直线）：",
             f"The link $CD$ is opposite $AB$, the shortest. Where it is shortest itself and $l_CD + l_{{{long}}} ≤ "
             f"{sums}$ it gives a double crank, else a double rocker; it must be below the sum of the others. Lay off "
-            f"${sums}$ and back from its end $l_{{{long}}}$: the lower bound; all three end to end: the upper one "
-            "(ends excluded: a change point, and a straight line).",
+            f"${sums}$ and back from its end $l_{{{long}}}$: the lower bound of the frame $l_f$; all three end to "
+            "end: the upper one (ends excluded: a change point, and a straight line).",
         ),
         SHEET,
     )

@@ -10,6 +10,7 @@ from math import isfinite, log
 import numpy as np
 from numpy.typing import NDArray
 
+from ....algebra.columns import significant
 from ....cycle import Extremes, Spot
 from ....findings.conditioning import Conditioning, determinant
 from ....findings.output_links import ends, motions
@@ -21,13 +22,14 @@ from ..numbering import SMALL, Press
 _SECOND = 0.4  # of the maximum value: another peak worth a line
 _PEAK = 1.8  # times the rms: a sine has √2, and less than this is no peak
 _FURTHER = 1.5  # times the rms: of a quantity that has a peak, another one
-_ROWS = 16
+_ROWS, _DIGITS = 16, 4
 _ALIKE = 1e-6  # of the maximum value
 _MAIN = 2.0  # times the other's logarithm: so much alone is the cause
 _HEADER = {
-    "zh": ["量", "峰值", "原动件位置", "峰值/均方根", "分母", "分母/均方根", "分子/均方根", "成因"],
-    "en": ["Quantity", "Peak", "Position", "Peak/rms", "Divided by", "Divisor/rms", "Numerator/rms", "Cause"],
+    "zh": ["量", "单位", "峰值", "位置", "分母 $D$", "$N/N_m$", "$D/D_m$", "商", "成因"],
+    "en": ["Quantity", "Unit", "Peak", "At", "Divisor $D$", "$N/N_m$", "$D/D_m$", "Quotient", "Cause"],
 }
+_PLACE = 3  # the column that is headed by the drive's own symbol
 GREW, SHRANK = Words("分子增大引起", "numerator large"), Words("分母减小引起", "divisor small")
 _BOTH = Words("两者兼有", "both")
 _WHY = {  # by the words of the table
@@ -47,6 +49,11 @@ class Cause:
     by: Conditioning
     down: float
     up: float
+
+    @property
+    def times(self) -> float:
+        """How many times what usual numerator and determinant give, of both as they are printed."""
+        return round(self.up, 2) / max(round(self.down, 2), 1e-9)
 
     @property
     def words(self) -> Words:
@@ -139,33 +146,34 @@ def table(study: Study, press: Press, told: list[Cause]) -> str:
     """The peaks with their causes; of a single one nothing, for a sentence tells it."""
     rows = [_row(study, one, press) for one in told]
     title = Words("各量的峰值及其成因", "The peaks and their causes")
-    return press.table(title, _HEADER[press.lang], rows, "lrrrcrrl", style=SMALL) if len(rows) > 1 else ""
+    heads = [f"${study.turn.drive.symbol}$" if n == _PLACE else head for n, head in enumerate(_HEADER[press.lang])]
+    return press.table(title, heads, rows, "lcddcdddl", style=SMALL) if len(rows) > 1 else ""
 
 
 def _row(study: Study, one: Cause, press: Press) -> tuple[str, ...]:
-    usual = rms(study, study.turn.real(one.key))
+    info = study.whole.info(one.key)
     return (
-        f"${study.whole.info(one.key).symbol}$",
-        shown(study, one.key, one.spot.value),
+        f"${info.symbol}$",
+        info.shown_unit.replace("^2", "²") or "—",
+        significant(info.factor * one.spot.value, _DIGITS),
         study.where(one.spot.phi).split(" = ")[1],
-        f"{abs(one.spot.value) / usual:.2f}" if usual else "—",
         f"${one.by.symbol}$",
-        f"{one.down:.2f}",
         f"{one.up:.2f}",
+        f"{one.down:.2f}",
+        f"{one.times:.2f}",
         one.words.of(press.lang),
     )
 
 
 def alone(study: Study, one: Cause) -> Words:
     """The only peak, and why it is there, in sentences."""
-    usual = rms(study, study.turn.real(one.key))
     symbol, value = f"${study.whole.info(one.key).symbol}$", shown(study, one.key, one.spot.value)
-    times, at, by = f"{abs(one.spot.value) / usual:.2f}", study.where(one.spot.phi), f"${one.by.symbol}$"
+    at, by, up, down = study.where(one.spot.phi), f"${one.by.symbol}$", f"{one.up:.2f}", f"{one.down:.2f}"
     why = _WHY[one.words.zh]
     return Words(
-        f"突出的峰值只有一个：{symbol} = {value}（{at}），为其均方根值的 {times} 倍。该处算式的分子为其均方根值的 "
-        f"{one.up:.2f} 倍，分母 {by} 为 {one.down:.2f} 倍，所以{why.zh}。",
-        f"There is one pronounced peak: {symbol} = {value} at {at}, {times} times the root mean square (rms) of this "
-        f"quantity. There the numerator of its formula is {one.up:.2f} times its own rms, the divisor {by} "
-        f"{one.down:.2f} times: {why.en}.",
+        f"突出的峰值只有一个：{symbol} = {value}（{at}）。该处分子为其均方根值的 {up} 倍，分母 {by} 为其均方根值的 "
+        f"{down} 倍，峰值是两均方根值之商的 {up}/{down} = {one.times:.2f} 倍，所以{why.zh}。",
+        f"There is one pronounced peak: {symbol} = {value} at {at}. There the numerator is {up} times its own root "
+        f"mean square (rms), the divisor {by} {down} times: the peak is {up}/{down} = {one.times:.2f} times what these "
+        f"two give, and {why.en}.",
     )

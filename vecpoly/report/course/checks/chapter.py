@@ -4,7 +4,7 @@ and how it depends on the dimensions."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,14 +33,28 @@ _CHECKED = {
 Reals = NDArray[np.float64]
 
 
+class _Checked(NamedTuple):
+    """A rate: the model less the solver, and less the quotients over two steps and over one, as shares of its largest
+    value; how many times the first of these is the other."""
+
+    symbol: str
+    gap: float
+    wide: float | None
+    narrow: float | None
+    ratio: str
+
+
 def chapter(study: Study, press: Press) -> dict[str, Any]:
     """The tables with what is said of them."""
     sound = _sound(study)
     gaps = [_most(np.broadcast_to(gap, sound.shape)[sound]) for _, gap in study.model.gaps(study.turn.phi)]
     step = study.turn.drive.factor * float(study.turn.phi[1] - study.turn.phi[0])
     unit = "°" if study.turn.drive.shown_unit == "°" else f" {study.turn.drive.shown_unit}"
+    rows = _checked(study)
+    plain = bool(rows) and (study.mech.drive.accel != 0 or all(row.ratio in _QUARTER for row in rows))
     return {
-        "table": _checked(study, press),
+        "table": "" if plain else _table(study, press, rows),
+        "told": _told(study, rows).of(press.lang) if plain else "",
         "residual": _power(max(gaps, default=0.0)),
         "step": f"{number(step, 3)}{unit}",
         "count": int(sound.sum()),
@@ -57,7 +71,7 @@ def _power(value: float) -> str:
     return raised(f"{head} × 10^{int(tail)}")
 
 
-def _checked(study: Study, press: Press) -> str:
+def _checked(study: Study) -> list[_Checked]:
     """Of every rate told: the model less the solver,
     and the model's rate less the difference quotient of what it is the rate of."""
     sound = _sound(study)
@@ -65,25 +79,42 @@ def _checked(study: Study, press: Press) -> str:
     largest: dict[str, float] = {}  # by the first letter of the symbol: v, a, ω, α
     for (symbol, *_), size in rates:
         largest[symbol[0]] = max(size, largest.get(symbol[0], 0.0))
-    rows = []
-    for (symbol, own, exact, base), size in rates:
-        if not size > max(_NOTHING, _BESIDE * largest[symbol[0]]):
-            continue
-        row = [f"${symbol}$", _percent(_most((own - exact)[sound]) / size)]
-        if not study.mech.drive.accel:
-            row += _by_quotients(study, base, np.where(sound, own, np.nan), size)
-        rows.append(tuple(row))
-    if rows and all(row[-1] in _QUARTER for row in rows):  # the sentence before the table says it
-        rows = [row[:-1] for row in rows]
-    return (
-        press.table(
-            Words("数学模型的校核（占该量最大值）", "The model checked (shares of each quantity's largest value)"),
-            _CHECKED[press.lang][: len(rows[0])],
-            rows,
-            "lcddd"[: len(rows[0])],
+    return [
+        _Checked(
+            symbol,
+            _most((own - exact)[sound]) / size,
+            *_by_quotients(study, None if study.mech.drive.accel else base, np.where(sound, own, np.nan), size),
         )
-        if rows
-        else ""
+        for (symbol, own, exact, base), size in rates
+        if size > max(_NOTHING, _BESIDE * largest[symbol[0]])
+    ]
+
+
+def _table(study: Study, press: Press, rows: list[_Checked]) -> str:
+    """One line a rate, where half the step does not leave a quarter of every error."""
+    title = Words("数学模型的校核（占该量最大值）", "The model checked (shares of each quantity's largest value)")
+    cells = [(f"${one.symbol}$", _percent(one.gap), _share(one.wide), _share(one.narrow), one.ratio) for one in rows]
+    return press.table(title, _CHECKED[press.lang], cells, "lcddd") if cells else ""
+
+
+def _told(study: Study, rows: list[_Checked]) -> Words:
+    """The largest of each, which is all that a table of them would show."""
+    gap = _percent(max(one.gap for one in rows))
+    told = Words(
+        f"各速度、加速度与独立程序的结果之差都不超过该量最大值的 {gap}",
+        f"No velocity or acceleration differs from the solver by more than {gap} of its largest value",
+    )
+    differing = [one for one in rows if one.wide is not None and one.narrow is not None]
+    if study.mech.drive.accel or not differing:
+        return told + Words("。", ".")
+    worst = max(differing, key=lambda one: one.wide or 0.0)
+    wide, narrow = (_percent(share or 0.0) for share in (worst.wide, worst.narrow))
+    return told + Words(
+        f"；与差商相差最大的是 ${worst.symbol}$，步长取 2 格时为其最大值的 {wide}，取 1 格时为 {narrow}。各量步长减半时"
+        "误差都约为四分之一，可见差别只是差商的截断误差。",
+        f"; ${worst.symbol}$ differs most from its difference quotients, by {wide} of its largest value over two steps "
+        f"and {narrow} over one. For every quantity half the step leaves a quarter of the error, which is thus the "
+        "truncation error of the differences.",
     )
 
 
@@ -115,21 +146,21 @@ def _most(values: Reals) -> float:
     return float(np.max(sizes[np.isfinite(sizes)], initial=0.0))
 
 
-def _by_quotients(study: Study, base: Reals | None, rate: Reals, size: float) -> list[str]:
+def _by_quotients(study: Study, base: Reals | None, rate: Reals, size: float) -> tuple[float | None, float | None, str]:
     """How far the rate is from the difference quotients of two steps and of one, and how many times as far."""
     if base is None:
-        return ["—", "—", "—"]
+        return None, None, "—"
     wide, narrow = (_quotient_gap(study, base, rate, steps) / size for steps in (2, 1))
-    return [_share(wide), _share(narrow), f"{wide / narrow:.2f}" if narrow > 1e-9 else "—"]
+    return wide, narrow, f"{wide / narrow:.2f}" if narrow > 1e-9 else "—"
 
 
 def _percent(share: float) -> str:
     return _power(share) if share < 1e-6 else f"{100 * share:.4f} %"
 
 
-def _share(part: float) -> str:
+def _share(part: float | None) -> str:
     """In per cent, without the sign."""
-    return _percent(part).removesuffix(" %")
+    return "—" if part is None else _percent(part).removesuffix(" %")
 
 
 def _rates(study: Study) -> Iterator[tuple[str, Reals, Reals, Reals | None]]:

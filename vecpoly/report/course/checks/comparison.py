@@ -14,6 +14,7 @@ from ....board.paper.sizes import unfit
 from ....errors import VecpolyError
 from ....findings.study.study import Study
 from ....foundation.slotted import replace
+from ....printed.digits import is_hopeless
 from ....problem.problem import Problem
 from ....solution import Answer, scales_of
 from ....words import Words
@@ -22,35 +23,13 @@ from ..numbering import SMALL, Press
 from ..results.plots import WIDE
 from ..results.positions import at_position, read_there
 from .refused import cause
-from .thousandths import figures, in_thousandths
+from .three_digits import figures
 
 STATIONS = 24
 FLAT, MARGIN = 0.35, 0.25  # of the frame that drawn values take at least; of what they take, beyond them
-_SHOWN, _DENSE = 3, 2  # curves, and of a long report
-_SMALLEST = (3, 6, 7)  # columns of deviations
 _HEADER = {
-    "zh": [
-        "量",
-        "单位",
-        "最大值",
-        "最大偏差",
-        "占最大值 /%",
-        "偏差最大处",
-        "均方根偏差",
-        "手工误差 3σ",
-        "手工相对误差 /%",
-    ],
-    "en": [
-        "Quantity",
-        "Unit",
-        "Largest value",
-        "Largest deviation",
-        "Relative /%",
-        "Place",
-        "rms deviation",
-        "3σ by hand",
-        "3σ/value /%",
-    ],
+    "zh": ["量", "单位", "最大值", "最大偏差 /%", "位置", "均方根偏差 /%", "手工误差 3σ /%"],
+    "en": ["Quantity", "Unit", "Largest value", "Largest deviation /%", "Place", "rms deviation /%", "3σ by hand /%"],
 }
 
 
@@ -146,6 +125,7 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
         "alone": [w.of(press.lang) for w in alone if w.zh],
         "figures": figures,
         "shown": press.shown([], figures),
+        "farthest": f"${study.whole.info(_farthest(study, found)).symbol}$" if figures else "",
         "count": len(found.stations),
         "all": len(found.stations) + len(found.refused),
         "refused": refused,
@@ -155,12 +135,17 @@ def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
 
 
 def _table(study: Study, press: Press, found: Compared) -> str:
-    """One line a quantity; of a single one nothing, for a sentence tells it."""
-    told = [_row(study, found, key) for key in (found.keys if found.stations else ())]
-    rows = [tuple(cell.removesuffix(" %") for cell in row) for row in told]
+    """One line a quantity, in per cent of its largest value; of a single one nothing, for a sentence tells it."""
+    rows = [_shares(study, found, key) for key in (found.keys if found.stations else ())]
     title = Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones")
-    header, rows = in_thousandths(_HEADER[press.lang], rows, _SMALLEST)
-    return press.table(title, header, rows, "lcdddcddd", style=SMALL) if len(rows) > 1 else ""
+    return press.table(title, _HEADER[press.lang], rows, "lcddddd", style=SMALL) if len(rows) > 1 else ""
+
+
+def _shares(study: Study, found: Compared, key: str) -> tuple[str, ...]:
+    symbol, unit, largest, _, share, at, _, _, by_hand = _row(study, found, key)
+    gaps, size = found.gaps(key), study_size(study, key)
+    usual = f"{100 * float(np.sqrt(np.mean(gaps**2))) / size:.2f}" if size else "—"
+    return symbol, unit, largest, share.removesuffix(" %"), at, usual, by_hand.removesuffix(" %")
 
 
 def _row(study: Study, found: Compared, key: str) -> tuple[str, ...]:
@@ -200,33 +185,31 @@ def _by_hand(study: Study, key: str) -> tuple[str, str]:
     answer = study.solution.answers.get(key)
     if answer is None or not answer.expected_error:
         return "—", "—"
-    told = abs(answer.exact) > answer.expected_error
+    told = abs(answer.exact) > answer.expected_error and not is_hopeless(answer)
     share = f"{100 * answer.expected_error / abs(answer.exact):.2f} %" if told else "—"
     return figures(study.whole.info(key).factor * answer.expected_error), share
 
 
 def _chart(study: Study, press: Press, found: Compared) -> list[str]:
-    """Exact lines with the drawn values as dots."""
+    """The exact line of what deviates most, with the drawn values as dots: all others lie closer to theirs."""
     from ....curves import curves, style
 
-    last: dict[str, str] = {}
-    for key in found.keys:
-        last[study.whole.info(key).shown_unit] = key
+    key = _farthest(study, found)
+    info, (width, panel) = study.turn.info(key), WIDE
+    plot = curves(study.turn, (key,), press.lang, width=width, panel=panel, marks=False)
+    symbol = f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$"  # as on the axis
     x = [study.turn.drive.factor * station.phi for station in found.stations]
-    plots = []
-    for key in list(last.values())[-_DENSE if study.dense else -_SHOWN :]:
-        info = study.turn.info(key)
-        width, panel = WIDE
-        plot, symbol = (
-            curves(study.turn, (key,), press.lang, width=width, panel=panel, marks=False),
-            f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$",  # as on the axis
-        )
-        told = np.array([info.factor * station.drawn[key] for station in found.stations])
-        cut = spread(plot.figure.axes[0], told)
-        style.dots(plot.figure.axes[0], x, told, style.PENS[0].hue, 1.5, hollow=True)
-        title = Words(f"{symbol} 的精确值（线）与图解值（圈）", f"{symbol}: exact (line) and drawn (circles)")
-        plots.append((plot.scene, title + cut))
-    return press.figures(plots)
+    told = np.array([info.factor * station.drawn[key] for station in found.stations])
+    cut = spread(plot.figure.axes[0], told)
+    style.dots(plot.figure.axes[0], x, told, style.PENS[0].hue, 1.5, hollow=True)
+    title = Words(f"{symbol} 的精确值（线）与图解值（圈）", f"{symbol}: exact (line) and drawn (circles)")
+    return press.figures([(plot.scene, title + cut)])
+
+
+def _farthest(study: Study, found: Compared) -> str:
+    """The quantity that deviates most, as a share of its largest value; the last of several."""
+    shares = {key: found.gaps(key).max() / size if (size := study_size(study, key)) else 0.0 for key in found.keys}
+    return max(reversed(found.keys), key=shares.__getitem__)
 
 
 def spread(at: Any, told: NDArray[np.float64]) -> Words:

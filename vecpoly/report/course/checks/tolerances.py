@@ -19,7 +19,6 @@ from .influences import CHANGE, NOTHING, Influence, Span, influences, targets
 _LED = 0.5  # of the greatest influence: what is called great
 _SLIGHT = 0.01  # of the largest value: a change that needs no care
 _NAMED = 3  # dimensions in a sentence
-_FITTED = Words("由其他尺寸确定", "fixed by the others")
 _SHOWN = 0.001  # per cent: less is told to be less
 _SIZE, _FEW = re.compile(r"([\d.]+)(.*)"), 2  # a number and its unit; figures of one in a sentence
 
@@ -27,8 +26,9 @@ _SIZE, _FEW = re.compile(r"([\d.]+)(.*)"), 2  # a number and its unit; figures o
 def section(study: Study, press: Press) -> dict[str, Any]:
     """The table and what follows from it."""
     keys, found = targets(study), influences(study)
-    if not any(one.matters for one in found):
+    if not any(one.matters and not one.fitted for one in found):
         return {"sensitivity": "", "judged": []}
+    listed = [one for one in found if one.matters and not one.fitted]  # what cannot be changed alone a sentence tells
     bounded = any(one.least or one.most for one in found)
     header = [
         Words("尺寸", "Dimension"),
@@ -36,7 +36,7 @@ def section(study: Study, press: Press) -> dict[str, Any]:
         *(Words.same(f"$Δ{study.turn.info(key).symbol}$") for key in keys),
         *([Words("不能整周装配的界限", "No full cycle from")] if bounded else []),
     ]
-    rows = [_row(study, keys, one, press, bounded) for one in found if one.matters]
+    rows = [_row(study, keys, one, press, bounded) for one in listed]
     by = _either(found, Words("0.1 mm", "0.1 mm"), Words("（角度 0.1°）", " (of an angle by 0.1°)"))
     title = Words(
         f"各给定尺寸增大 {by.zh}时输出的最大改变",
@@ -63,7 +63,7 @@ def _row(study: Study, keys: tuple[str, ...], one: Influence, press: Press, boun
     if one.lost:
         where = _span(study, one.lost)
         lost = Words(f"不能装配（{where}）", f"cannot be assembled ({where})")
-        told = ((_FITTED if one.fitted else lost).of(press.lang), *["—"] * (len(keys) - 1))
+        told = (lost.of(press.lang), *["—"] * (len(keys) - 1))
     else:
         told = tuple(_changed(study, key, gap) for key, gap in zip(keys, one.gaps, strict=True))
     limits = "；" if press.lang == "zh" else "; "

@@ -5,6 +5,8 @@ from __future__ import annotations
 from math import degrees, isfinite
 from typing import Any
 
+import numpy as np
+
 from ....algebra.quantity import number
 from ....cycle import Extremes, table
 from ....cycle.shaking import FORCE, MOMENT, about
@@ -13,12 +15,19 @@ from ....findings.shown import places
 from ....findings.study.study import Study
 from ....words import Lang, Words
 from ..numbering import Press
+from ..results.mirrored import half, mirror, told
 from ..results.plots import curve, swept
-from ..results.tabled import laid_out
+from ..results.tabled import given_place, laid_out, without_repeat
 from .sums import displayed, shaking
 
 _EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": ["Quantity", "Maximum", "At", "Minimum", "At"]}
 _WEIGHTS = {"zh": ["构件", "支点", "$m_c r_c$ /(kg·m)", "方位"], "en": ["Link", "Pivot", "$m_c r_c$ /(kg·m)", "Where"]}
+
+_HODOGRAPH = Words(
+    "$F_I$ 的端迹图上，由极点到曲线的矢量即该位置的惯性力。",
+    "In the hodograph the vector from the pole to the curve is the force at that position.",
+)
+_FLAT, _NOTHING = 0.12, 1e-9  # of the larger component: a hodograph so low is a line; rounding
 
 
 def sections(study: Study, press: Press, found: Shaking) -> list[dict[str, Any]]:
@@ -38,17 +47,19 @@ def _bounded(found: Shaking) -> bool:
 def _acting(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
     """Over one turn: what the masses do repeats itself whatever the period of the loads is."""
     turn, turns = study.turn.once, study.varies(MOMENT.key)
-    plots = [swept(study, press.lang, FORCE.key, turn), curve(study, press.lang, [FORCE.key], turn)]
+    parts = (*FORCE.parts, *([MOMENT.key] if turns else []))
+    across, made = _across(study), without_repeat(table(turn, parts, study.rows[study.rows < len(turn.phi)]))
+    about, near = mirror(made), given_place(study)
+    plots = [] if across else [swept(study, press.lang, FORCE.key, turn)]
+    plots += [curve(study, press.lang, [FORCE.key], turn)]
     plots += [curve(study, press.lang, [MOMENT.key], turn)] if turns else []
     title = Words("惯性力和惯性力矩", "Shaking force and shaking moment")
-    parts = (*FORCE.parts, *([MOMENT.key] if turns else []))
-    rows = study.rows[study.rows < len(turn.phi)]
     return {
         "title": Words("机构对机架的惯性力和惯性力矩", "Shaking force and shaking moment on the frame").of(press.lang),
         "lead": _lead(study).of(press.lang),
         "formulas": displayed(press, shaking()),
-        "words": [_told(study).of(press.lang)],
-        "tables": [_extremes(study, press, found), laid_out(table(turn, parts, rows), press, title)],
+        "words": [_words(study, across).of(press.lang), *([told(made, about, near).of(press.lang)] if about else [])],
+        "tables": [_extremes(study, press, found), laid_out(half(made, about, near) if about else made, press, title)],
         "figures": press.figures(plots),
     }
 
@@ -65,11 +76,37 @@ def _lead(study: Study) -> Words:
 def _told(study: Study) -> Words:
     pivot = about(study.mech)
     return Words(
-        f"$M_I$ 以逆时针为正，$r_{{Si}}$ 为由 ${pivot}$ 到质心 $S_i$ 的矢径；二者由机架承受，载荷和重力不计在内。"
-        "$F_I$ 的端迹图上，由极点到曲线的矢量即该位置的惯性力。",
+        f"$M_I$ 以逆时针为正，$r_{{Si}}$ 为由 ${pivot}$ 到质心 $S_i$ 的矢径；二者由机架承受，载荷和重力不计在内。",
         f"$M_I$ is positive counter-clockwise, and $r_{{Si}}$ is the position vector of the centre of mass $S_i$ from "
-        f"${pivot}$. The frame has to bear both; loads and weights are not among them. In the hodograph the vector "
-        "from the pole to the curve is the force at that position.",
+        f"${pivot}$. The frame has to bear both; loads and weights are not among them. ",
+    )
+
+
+def _words(study: Study, across: str) -> Words:
+    """What the symbols mean, and what the hodograph shows or would show."""
+    return _told(study) + (_along(study, across) if across else _HODOGRAPH)
+
+
+def _across(study: Study) -> str:
+    """The component that is nearly nothing beside the other, so that a hodograph would be a line; none mostly."""
+    sizes = {part: float(np.nanmax(np.abs(study.turn.once.real(part)))) for part in FORCE.parts}
+    small, large = sorted(sizes, key=sizes.__getitem__)
+    return small if sizes[small] < _FLAT * sizes[large] else ""
+
+
+def _along(study: Study, across: str) -> Words:
+    """What the hodograph would show."""
+    size = float(np.nanmax(np.abs(study.turn.once.real(across))))
+    other = next(part for part in FORCE.parts if part != across)
+    top = float(np.nanmax(np.abs(study.turn.once.real(other))))
+    axis, symbol = other.rpartition(".")[2], study.turn.once.info(across).symbol
+    if size <= _NOTHING * top:
+        return Words(f"$F_I$ 始终沿 ${axis}$ 方向。", f"$F_I$ acts along ${axis}$ throughout.")
+    share = f"{number(size, 3)} N", f"{100 * size / top:.1f} %"
+    return Words(
+        f"$F_I$ 基本沿 ${axis}$ 方向：$|{symbol}|$ 最大 {share[0]}，仅为另一分量最大值的 {share[1]}。",
+        f"$F_I$ acts nearly along ${axis}$: $|{symbol}|$ is at most {share[0]}, {share[1]} of the largest of the other "
+        "component.",
     )
 
 

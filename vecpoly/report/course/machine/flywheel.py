@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -95,18 +96,23 @@ def _tried(run: Running, trial: Confirmed, found: Evenness) -> Words:
     )
 
 
-def _divided(work: float, steady: Steady) -> str:
-    """What J_F is worked out from: 1234.5 / (12.566² × 0.05)."""
+def _divided(works: Sequence[float], steady: Steady) -> list[str]:
+    """What each J_F is worked out from, all with the figures that one of them needs: 1234.5 / (12.566² × 0.05)."""
+    digits = max(_digits(work, steady) for work in works)
+    below = f"({number(steady.speed, digits)}² × {number(steady.delta or 0.0, digits)})"
+    return [f"{number(work, digits)} / {below}" for work in works]
+
+
+def _digits(work: float, steady: Steady) -> int:
     speed, delta = magnitude("ω_m", steady.speed, "rad/s"), magnitude("δ", steady.delta or 0.0, "")
     expr = magnitude("W", work, "J") / (speed.squared() * delta)
-    digits = figures_for(expr, number(float(np.asarray(expr.value)), 5), 5)
-    return f"{number(work, digits)} / ({number(steady.speed, digits)}² × {number(steady.delta or 0.0, digits)})"
+    return figures_for(expr, number(float(np.asarray(expr.value)), 5), 5)
 
 
 def _table(press: Press, run: Running, cuts: Tangents) -> str:
     assert run.found is not None and run.steady is not None and run.by_areas is not None
     exact, steady = run.found.flywheel, run.steady
-    calculations = [_divided(work, steady) for work in (run.surplus, cuts.cut)]
+    calculations = _divided((run.surplus, cuts.cut), steady)
     rows = [
         (
             Words("按最大盈亏功（近似）", "by areas (approximate)").of(press.lang),

@@ -15,7 +15,7 @@ from ....mechanism.asked.machine import Equivalent, equivalents
 from ....words import Words
 from ..numbering import Press
 from ..results.plots import curve
-from ..results.tabled import tabled
+from ..results.tabled import halved, tabled
 from .flywheel import flywheel
 from .powers import powers
 from .sums import displayed, equivalents_of
@@ -39,15 +39,16 @@ def _equivalent(study: Study, press: Press, run: Running) -> dict[str, Any]:
     to = equivalents(study.mech)[0]
     link = run.mech.number(to.link)
     keys = [key for key in (to.inertia.key, to.load.key) if study.varies(key)]
-    two = run.of.period > 2 * np.pi * 1.5
+    every = 2 if run.of.period > 2 * np.pi * 1.5 else 1
+    half = halved(study, keys, every) if keys else Words("", "")
     title = Words("等效转动惯量和等效力矩", "Equivalent inertia and moment")
     plots = [curve(study, press.lang, [key]) for key in keys]
     return {
         "title": title.of(press.lang),
         "lead": _lead(link).of(press.lang),
         "formulas": displayed(press, equivalents_of(link)),
-        "words": [_said(run, link).of(press.lang), *([_range(study, to).of(press.lang)] if keys else [])],
-        "tables": [tabled(study, press, keys, title, every=2 if two else 1)] if keys else [],
+        "words": [_said(run, link).of(press.lang), *([(_range(study, to) + half).of(press.lang)] if keys else [])],
+        "tables": [tabled(study, press, keys, title, every=every)] if keys else [],
         "figures": press.figures(plots),
     }
 

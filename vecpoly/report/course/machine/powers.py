@@ -14,10 +14,9 @@ from ..results.tabled import decimal
 
 
 def powers(study: Study, press: Press, run: Running) -> dict[str, Any]:
-    """A row every 30° (60° of two turns): powers of the loads, dT/dt of the links, and their difference."""
+    """A row every 30° (60° of two turns) of a period: powers of the loads, dT/dt of the links, their difference."""
     assert run.trial is not None
     flows = run.trial.flows[:: 2 if run.of.period > 2 * np.pi * 1.5 else 1]
-    flows += tuple((run.of.period, flow) for _, flow in flows[:1])  # which ends as it began
     wheel = run.found is not None and run.found.flywheel > 0
     return {
         "title": Words("功率的流动", "The flow of power").of(press.lang),

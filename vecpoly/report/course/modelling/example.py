@@ -19,8 +19,8 @@ from ..numbering import SMALL, Press
 
 _NOTHING = 1e-14  # SI: what rounding leaves of zero
 _LEFT = 1e-10  # of the terms of a sum: what rounding leaves where they cancel
-_PAIRS = 4  # of quantity and value beside each other
-_HEADER = {"zh": ["量", "数值"], "en": ["Quantity", "Value"]}
+_ABREAST = 3  # quantities beside each other
+_HEADER = {"zh": ["量", "数值", "单位"], "en": ["Quantity", "Value", "Unit"]}
 
 
 def section(study: Study, press: Press) -> dict[str, Any]:
@@ -74,9 +74,9 @@ def told(group: GroupModel) -> list[Equation]:
 
 
 def _table(study: Study, press: Press, envs: list[dict[str, float]]) -> str:
-    """Every variable once a group, four to a line."""
+    """Every variable once a group, three to a line, each with its number and its unit."""
     values = [
-        (f"${e.left.symbol}$", _valued(e.left.symbol, env[e.left.symbol]))
+        (f"${e.left.symbol}$", *_valued(e.left.symbol, env[e.left.symbol]))
         for group, env in zip(study.model.groups, envs, strict=True)
         for e in told(group)
         if isinstance(e.left, Var)
@@ -93,20 +93,21 @@ def _table(study: Study, press: Press, envs: list[dict[str, float]]) -> str:
         for rate in group.loops.rates[q]
         if isinstance(rate, Var)
     ]
-    values = [(f"${s}$", _valued(s, envs[0][s])) for s in (*unknowns, *rates)] + list(dict.fromkeys(values))
-    count = -(-len(values) // _PAIRS)
-    padded = [*values, *([("", "")] * (count * _PAIRS - len(values)))]
-    rows = [tuple(text for j in range(_PAIRS) for text in padded[i + j * count]) for i in range(count)]
+    values = [(f"${s}$", *_valued(s, envs[0][s])) for s in (*unknowns, *rates)] + list(dict.fromkeys(values))
+    count = -(-len(values) // _ABREAST)
+    padded = [*values, *([("", "", "")] * (count * _ABREAST - len(values)))]
+    rows = [tuple(text for j in range(_ABREAST) for text in (*padded[i + j * count], ""))[:-1] for i in range(count)]
     return press.table(
         Words("题设位置各变量的值", "The variables at the given position"),
-        _HEADER[press.lang] * _PAIRS,
+        [*(*_HEADER[press.lang], "") * _ABREAST][:-1],
         rows,
-        "lr" * _PAIRS,
+        ("ldcl" * _ABREAST)[:-1],
         style=SMALL,
     )
 
 
-def _valued(symbol: str, value: float) -> str:
+def _valued(symbol: str, value: float) -> tuple[str, str]:
+    """The number and its unit."""
     if symbol[0] in "φψ":
-        return f"{degrees((value + pi) % (2 * pi) - pi):.3f}°".replace("-", "−")
-    return f"{number(value, 5)} {unit(symbol).replace('^2', '²')}".strip()
+        return f"{degrees((value + pi) % (2 * pi) - pi):.3f}".replace("-", "−"), "°"
+    return number(value, 5), unit(symbol).replace("^2", "²") or "—"

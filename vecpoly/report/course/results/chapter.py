@@ -21,7 +21,7 @@ from .circling import is_trivial
 from .circling import told as circling_told
 from .extreme_values import extremes
 from .plots import LINES, Plotted, curve, posed, swept, way
-from .tabled import COLUMNS, TIGHT, tabled
+from .tabled import COLUMNS, TIGHT, halved, tabled
 
 _ABREAST = 4  # links in one table
 _FLAT = 5.0  # times as large as another curve: that one has a figure of its own
@@ -78,9 +78,10 @@ def _links(study: Study, press: Press) -> dict[str, Any]:
     panels = [alike for some in stems for alike in ([some] if study.dense else _alike(study, some))]
     plots = [curve(study, press.lang, some[i : i + LINES]) for some in panels for i in range(0, len(some), LINES)]
     steady = [_steady(study, key[6:]) for key in every if key.startswith("omega_") and key not in keys]
+    said = [*steady, *(halved(study, some) for some in blocks if some)]
     return {
         "title": Words("构件的转动", "Rotation of the links").of(press.lang),
-        "words": Words("".join(w.zh for w in steady), "".join(w.en for w in steady)).of(press.lang),
+        "words": Words("".join(w.zh for w in said), "".join(w.en for w in said)).of(press.lang),
         "alone": bool(steady),
         "before": [],
         "tables": tables,
@@ -117,18 +118,19 @@ def _mean(study: Study, key: str) -> tuple[str, str]:
 
 
 def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
-    """Position, velocity, acceleration of a point; its path and hodographs where it runs on a curve of its own."""
+    """Position, velocity, acceleration of a point; its path and hodographs where it runs on a curve of its own (a
+    straight path or an arc is told)."""
     trivial, found = is_trivial(study, letter), study.path(letter)
     tables = [] if trivial else [_rates_table(study, press, letter)]
     words = (" " if press.lang == "en" else "").join(w.of(press.lang) for w in path_sentences(study.whole, found))
-    words += circling_told(study, letter).of(press.lang) if trivial else ""
+    words += (circling_told(study, letter) if trivial else _symmetry(study, letter)).of(press.lang)
     own, last = found.shape is Shape.CURVE, letter == study.points[-1]
     before = [posed(study, press.lang, letter)] if last else []
-    if last or (own and study.dense):
+    if own and (last or study.dense):
         before.append(way(study, press.lang, letter))
     first = press.figures(before)
     if last:
-        words += _of_poses(press.called[first[0]]).of(press.lang)
+        words += _of_poses(press.through_all(first), own=own).of(press.lang)
     plots = [] if trivial else _rates_curves(study, press, letter, own, path=not (last or study.dense))
     return {
         "title": Words(f"${subscripted(letter)}$ 点的运动", f"Motion of ${subscripted(letter)}$").of(press.lang),
@@ -139,12 +141,17 @@ def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
     }
 
 
-def _of_poses(where: str) -> Words:
+def _of_poses(where: str, *, own: bool) -> Words:
+    path_zh, path_en = ("以及该点的轨迹", ", and the path,") if own else ("", "")
     return Words(
-        f"机构在原动件等间隔各位置（彩色细线）和题设位置（黑色粗线）的简图以及该点的轨迹见{where}。",
-        f" The mechanism at equal steps of its drive (thin, in colour) and in the given position (thick, black), and "
-        f"the path, are drawn in {where}.",
+        f"机构在原动件等间隔各位置（彩色细线）和题设位置（黑色粗线）的简图{path_zh}见{where}。",
+        f" The mechanism at equal steps of its drive (thin, in colour) and in the given position (thick, black)"
+        f"{path_en} {'are' if own else 'is'} drawn in {where}.",
     )
+
+
+def _symmetry(study: Study, letter: str) -> Words:
+    return Words("", " ") + halved(study, [f"{stem}_{letter}" for stem in "pva"])
 
 
 def _rates_table(study: Study, press: Press, letter: str) -> str:

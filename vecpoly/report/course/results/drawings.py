@@ -15,6 +15,7 @@ from ....foundation.slotted import replace
 from ....printed.midway import some_go_down
 from ....solution import Answer, Solution
 from ....words import Lang, Words
+from ...answers.notes import unread_words
 from ...answers.placed import endless_words, place_words
 from ...answers.tables import lone_place, readings_at, readings_tables
 from ...content import scales
@@ -188,9 +189,9 @@ def _given(study: Study, press: Press) -> list[str]:
 
 
 def _placed(study: Study, lang: Lang) -> str:
-    """A lone place, and the places at infinity, in words."""
-    lone = _lone(study)
-    told = "" if lone is None else place_words(lone, lang), endless_words(study.solution.answers.values(), lang)
+    """What could not be read, a lone place, and the places at infinity, in words."""
+    lone, answers = _lone(study), study.solution.answers.values()
+    told = unread_words(answers, lang), "" if lone is None else place_words(lone, lang), endless_words(answers, lang)
     return ("" if lang == "zh" else " ").join(filter(None, told))
 
 

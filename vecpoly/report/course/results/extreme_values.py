@@ -47,16 +47,16 @@ def extremes(study: Study, press: Press) -> str:
     if not rows:
         return ""
     drive = study.turn.drive
-    header = [text if i not in (3, 5) else f"${drive.symbol}$" for i, text in enumerate(_EXTREMES[press.lang])]
+    place = f"${drive.symbol}$ /{drive.shown_unit}"
+    header = [text if i not in (3, 5) else place for i, text in enumerate(_EXTREMES[press.lang])]
     return press.table(Words("极值及其位置", "Extreme values and where they occur"), header, rows, "lcdrdr")
 
 
 def _placed(study: Study, found: Extremes, spot: Spot, press: Press) -> str:
     """The drive's position to a tenth, of two that are alike both; of more the first, with a sign of more."""
     drive = study.turn.drive
-    unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
     told = dict.fromkeys(decimal(drive.factor * study.reduced(s.phi), 1) for s in alike(study, found, spot))
-    every = [text + unit for text in told]
+    every = [*told]
     comma = "、" if press.lang == "zh" else ", "
     return comma.join(every[:_TOLD]) + ("…" if len(every) > _TOLD else "")
 

@@ -14,7 +14,7 @@ from ..analysis import force_words
 from ..analysis.stated import direction
 from ..numbering import Press
 from .plots import LINES, curve
-from .tabled import COLUMNS, tabled
+from .tabled import COLUMNS, halved, tabled
 
 _NOTHING = 1e-9  # of the largest force of the cycle: rounding
 
@@ -22,19 +22,20 @@ _NOTHING = 1e-9  # of the largest force of the cycle: rounding
 def section(study: Study, press: Press) -> dict[str, Any]:
     """The balancing load, the efficiency and the reactions."""
     parts, still = force_duties.table(study, press), unchanged(study)
-    rest, tables = [key for key in study.forces if key not in still], []
+    rest, tables, mirrored = [key for key in study.forces if key not in still], list[str](), list[Words]()
     while rest:
         part: list[str] = []
         while rest and sum(len(study.turn.info(key).parts) for key in (*part, rest[0])) <= COLUMNS + 1:
             part.append(rest.pop(0))
         tables.append(tabled(study, press, part, Words("平衡载荷与运动副反力", "The balancing load and the reactions")))
+        mirrored += [one for one in [halved(study, part)] if one.zh]
     changing = [key for key in study.forces if study.varies(key)]
     plots = []
     for unit in dict.fromkeys(study.turn.info(key).shown_unit for key in changing):
         keys = [key for key in changing if study.turn.info(key).shown_unit == unit]
         plots += [curve(study, press.lang, keys[i : i + LINES]) for i in range(0, len(keys), LINES)]
     said = [_LISTED] if tables and plots else []
-    words = force_words.joined([*said, *constant(study, still), force_words.results(study)])
+    words = force_words.joined([*said, *mirrored, *constant(study, still), force_words.results(study)])
     return {
         "title": Words("平衡载荷与反力", "The balancing load and the reactions").of(press.lang),
         "words": words.of(press.lang),

@@ -15,6 +15,7 @@ from ....foundation.slotted import replace
 from ....words import Words
 from ...flow.style import Style
 from ..numbering import SMALL, TINY, Press
+from .mirrored import half, mirror, told
 
 _HALVED, _LONG = 6, 12  # a table of few columns and many rows is told in two halves beside each other
 _NARROW, _MOST_ABREAST = 3, 3  # columns of one that is told in three parts, where it is long
@@ -25,14 +26,34 @@ COLUMNS, TIGHT = 9, 12  # beside the input link's position, in small and in tiny
 
 
 def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style: Style = SMALL, every: int = 1) -> str:
-    """A table of these columns at the rows of the table, or at every so many of them."""
+    """A table of these columns at the rows of the table, or at every so many of them; half of what is symmetrical."""
+    made, repeated = _of_one_period(study, keys, every)
+    about = mirror(made)
+    shown = made if about is None else half(made, about, given_place(study))
+    return laid_out(shown, press, title + repeated, style, _HALVED if study.dense else _HALVED - 1)
+
+
+def halved(study: Study, keys: Sequence[str], every: int = 1) -> Words:
+    """Of what is symmetrical, how the half that is not listed follows from the table; else nothing."""
+    made, _ = _of_one_period(study, keys, every)
+    about = mirror(made)
+    return Words("", "") if about is None else told(made, about, given_place(study))
+
+
+def given_place(study: Study) -> float:
+    """Where the drive stands in the problem, as tables tell it."""
+    return study.turn.drive.factor * study.mech.drive.position
+
+
+def _of_one_period(study: Study, keys: Sequence[str], every: int) -> tuple[Table, Words]:
+    """These columns over what does not come again, and what the title adds where there is such."""
     parts = dict.fromkeys(part for key in keys for part in study.turn.info(key).parts)
     made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
-    made = _without_repeat(made) if study.whole.whole else made
+    made = without_repeat(made) if study.whole.whole else made
     if (period := _repeats_after(made)) < len(made.values):
-        title += _repeated(abs(made.values[period, 0] - made.values[0, 0]))
-        made = replace(made, values=made.values[:period])
-    return laid_out(made, press, title, style, _HALVED if study.dense else _HALVED - 1)
+        again = _repeated(abs(made.values[period, 0] - made.values[0, 0]))
+        return replace(made, values=made.values[:period]), again
+    return made, Words("", "")
 
 
 def _repeated(turn: float) -> Words:
@@ -42,7 +63,7 @@ def _repeated(turn: float) -> Words:
     return Words(f"（每转 {turn:g}° 重复，只列一个周期）", f" (the same after every {turn:g}°; one period is listed)")
 
 
-def _without_repeat(made: Table) -> Table:
+def without_repeat(made: Table) -> Table:
     """The table of a whole turn without its last row, where that is the first again."""
     first, last = made.values[0, 1:], made.values[-1, 1:]
     return replace(made, values=made.values[:-1]) if np.allclose(first, last, 1e-6, 1e-9, equal_nan=True) else made
