@@ -3,31 +3,39 @@ as it needs no page more."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from ..base import Tightness
-from ..blocks import SheetPage
+from ..blocks import Drawing, SheetPage
 from ..doc import ReportDoc
 from .loose import OPENEST, grown
 from .sectioned import HALF, heads, settled
 from .setting import tightened
 
 ENOUGH, LAST = 0.88, 0.8  # of a page of text, and of the last one: what is filled so far looks full
-LEAST = 0.3  # of the last page, which may be shorter than a page behind which the text goes on
+LEAST = HALF  # of the last page too: one that holds less looks left over
 _SHARES = (0.0, *(OPENEST * n / 5 for n in range(1, 8)))  # a page that would be half empty is worth a wider setting
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
-_Score = tuple[int, int, int, int, int, float]
+_SKETCHES = 1.25, 1.5  # times as large as it is the sketch beside the statement may be, where that fills a page
+_THIN = 3  # where in a score those pages stand that hold too little
+_Score = tuple[int, int, int, int, float, int]
 
 
 def balanced(doc: ReportDoc, plain: Sequence[Any]) -> ReportDoc:
     """The document, laid out; or the plain story, of which nothing is set otherwise yet, in the first way that fills
     its pages, or else in the best, where it needs no page more."""
-    best, found = _score(doc), doc
     if len(doc.filled) < 2:
         return doc
-    for one in _ways(plain):
-        if not any(best[-2:]):
+    found = _best(doc, _ways(plain))
+    return _best(found, _sketched(plain)) if _score(found)[_THIN] else found
+
+
+def _best(doc: ReportDoc, ways: Iterable[Sequence[Any]]) -> ReportDoc:
+    """The document, or the first of these stories that fills its pages, or else the best of all."""
+    best, found = _score(doc), doc
+    for one in ways:
+        if not any(best[_THIN:]):
             break
         tried = ReportDoc(one, doc.metadata)
         tried.counted()
@@ -46,7 +54,7 @@ def emptiness(filled: Sequence[float]) -> float:
 def _score(doc: ReportDoc) -> _Score:
     *others, last = doc.filled
     thin = sum(full < HALF for full in others) + (last < LEAST)
-    return int(doc.page), len(doc.widows), doc.parted, thin, doc.gaps, round(emptiness(doc.filled), 4)
+    return int(doc.page), len(doc.widows), doc.parted, thin, round(emptiness(doc.filled), 4), doc.gaps
 
 
 def _ways(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:
@@ -57,3 +65,17 @@ def _ways(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:
     for at in (len(text), *(heads(text) if sheets else ())):
         placed = [*text[:at], *map(settled, sheets), *text[at:]]
         yield from (tightened(placed, degree) for degree in degrees)
+
+
+def _sketched(plain: Sequence[Any]) -> Iterator[Sequence[Any]]:
+    """The text with a larger sketch beside its statement, then opener."""
+    for times in _SKETCHES:
+        larger = [_larger(item, times) for item in plain]
+        if any(new is not old for new, old in zip(larger, plain, strict=True)):
+            yield from (tightened(larger, grown(share)) for share in _SHARES[::2])
+
+
+def _larger(item: Any, times: float) -> Any:
+    """A sketch so many times as large as it is, or as far as its column allows; anything else as it is."""
+    made = item.ampler(times) if isinstance(item, Drawing) and item.ampler is not None else None
+    return item if made is None else made
