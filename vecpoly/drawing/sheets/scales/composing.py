@@ -16,7 +16,7 @@ from ....board.paper.scales import Sketched
 from ....board.place import Place
 from ....foundation.slotted import replace
 from ....foundation.stock import ANY_A4, Paper
-from ..pages import FULLER
+from ..pages import BANDS, FULLER
 from ..space import HIGHEST, LARGEST, PLATE, SPARSE, rooms
 from .balancing import balanced
 from .composition import CRAMPED, LOST, OWN, Composing, Scales, least_scales
@@ -24,7 +24,7 @@ from .growing import grown
 
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 NARROWER = 1.4  # times: no figure is made smaller than this for the sake of a plate as wide as the text
-HALF = 0.5  # planned share of a page that figures take which are larger on it than on a plate, at least
+WORTH = 0.63  # planned share of a page that figures take, below which they stand on a plate
 LARGER = 1.3  # times as large a mechanism is drawn on one sheet more, at least: 1.5 for 2, 3 for 4
 TAKEN = 0.45  # planned share of all sheets that figures take where one more is drawn about a short crank
 FULL = 0.53  # planned share of the emptiest of these sheets, or of the plate that it becomes
@@ -90,9 +90,11 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
     if plate.alone(low) < OWN and page.alone(best) >= LARGER * plate.alone(low):
         return best
     share, own = page.share(best), plate.low(low)
-    if share < HALF:
+    if share >= SPARSE and plate.cramped(low, best):
+        return best
+    if share < WORTH and own < BANDS:
         return _on_large_plate(page, best, start) or low
-    return best if own <= share or (share >= SPARSE and plate.cramped(low, best)) else low
+    return best if own <= share else low
 
 
 def _narrower(page: Composing, best: Scales, start: Scales) -> Scales:
@@ -107,8 +109,10 @@ def _narrower(page: Composing, best: Scales, start: Scales) -> Scales:
 
 def _on_large_plate(page: Composing, best: Scales, start: Scales) -> Scales | None:
     """Scales that are the same or somewhat coarser, with which the figures find room on a plate that is nearly as high
-    as a page; None where they do so as they are, or nearly as large do not."""
+    as a page; None where none nearly as large does."""
     plate = Composing(page.figures, page.kinds, (PLATE, LARGEST))
-    if plate.low(best, LARGEST) > 0 or (low := grown(plate, start)) is None or not plate.low(low, LARGEST):
+    if plate.low(best, LARGEST) > 0:
+        return best
+    if (low := grown(plate, start)) is None or not plate.low(low, LARGEST):
         return None
     return None if any(low[kind] > NARROWER * best[kind] for kind in page.kinds) else low
