@@ -24,7 +24,7 @@ from .growing import grown
 
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 NARROWER = 1.4  # times: no figure is made smaller than this for the sake of a plate as wide as the text
-WORTH = 0.63  # planned share of a page that figures take, below which they stand on a plate
+WORTH = 0.63  # planned share of a page that figures of one scale take, below which they stand on a plate
 LARGER = 1.3  # times as large a mechanism is drawn on one sheet more, at least: 1.5 for 2, 3 for 4
 TAKEN = 0.45  # planned share of all sheets that figures take where one more is drawn about a short crank
 FULL = 0.53  # planned share of the emptiest of these sheets, or of the plate that it becomes
@@ -92,7 +92,7 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
     share, own = page.share(best), plate.low(low)
     if share >= SPARSE and plate.cramped(low, best):
         return best
-    if share < WORTH and own < BANDS:
+    if share < WORTH and own < BANDS and len(page.kinds) == 1:
         return _on_large_plate(page, best, start) or low
     return best if own <= share else low
 
