@@ -14,7 +14,7 @@ from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import TURN, AngleMark, FixedGuide, Ground, Mark, Role, Segment, TurnArrow, Vector
 from vecpoly.drawing.labels.wants import wants
 from vecpoly.drawing.scene import Layer
-from vecpoly.drawing.swung import swung
+from vecpoly.drawing.swung import marked_once, swung
 from vecpoly.drawing.symbols.angles import draw_angle
 
 LINK = Segment(a=-20 + 7j, b=20 + 7j, role=Role.LINK, step=1)
@@ -112,3 +112,13 @@ def test_the_arc_of_an_angle_is_hidden_by_no_slot_and_no_block() -> None:
     for sweep in (1.0, 0.2):
         arc, *rest = draw_angle(AngleMark(at=0j, radius=12.0, start=0.0, sweep=sweep, label="φ"))
         assert all(item.layer > max(Layer.SLOT, Layer.BODY) for item in (arc, *rest))
+
+
+def test_an_angle_that_two_solutions_have_in_common_is_marked_once() -> None:
+    angle = AngleMark(at=0j, radius=10.0, start=0.2, sweep=radians(36), label="θ = 36°", step=1)
+    again = AngleMark(at=0j, radius=14.0, start=0.2 + radians(36), sweep=-radians(36), label="θ = 36°", step=2)
+    other = AngleMark(at=0j, radius=14.0, start=1.5, sweep=radians(36), label="θ = 36°", step=2)
+    outside = AngleMark(
+        at=0j, radius=14.0, start=0.2 + radians(36), sweep=2 * pi - radians(36), label="θ = 36°", step=2
+    )
+    assert marked_once((angle, LINK, again, other, outside)) == (angle, LINK, other, outside)

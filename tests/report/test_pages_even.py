@@ -12,6 +12,7 @@ from vecpoly.report.flow.doc import ReportDoc
 from vecpoly.report.flow.paging.balanced import LEAST, balanced, emptiness
 from vecpoly.words import Lang
 
+LEFT_OVER = ("2-4", "2-10", "8-2b", "8-10", "2-11", "2-12", "D-2")  # texts that ended on a page of little
 HALF_EMPTY = ("7-6", "3-4a-straight", "shaper-flywheel", "dump-hoist", "8-6", "tipper", "C-conveyor")  # as they were
 
 
@@ -24,6 +25,14 @@ def test_every_page_of_a_report_but_the_last_is_nearly_full(name: str, lang: Lan
     *others, last = doc.filled
     assert min(others) > 0.7 and last >= LEAST
     assert not doc.widows and not doc.parted
+
+
+@pytest.mark.parametrize("name", few(LEFT_OVER, 3))
+def test_no_page_is_left_to_a_few_lines_behind_a_plate(name: str) -> None:
+    solution = drafted(name)
+    assert solution is not None
+    doc = laid_out([solution], "zh")
+    assert min(doc.filled) >= 0.5 and not doc.widows and not doc.parted
 
 
 def test_a_text_of_little_more_than_a_page_is_spread_over_two() -> None:

@@ -38,8 +38,8 @@ def test_what_an_image_gives_is_evaluated_in_the_step_of_the_image() -> None:
 @pytest.mark.parametrize(
     ("name", "told"),
     [
-        ("8-16", "C_{1}C_{2} = H/μ_l$ = 50.0 mm"),
-        ("8-16", "$e/μ_l$ = 20.0 mm above"),
+        ("8-16", "C_{1}C_{2} = H/μ_l$ = 62.5 mm"),
+        ("8-16", "$e/μ_l$ = 25.0 mm above"),
         ("3-9", "$AB = l_AB/μ_l$ = 15.0 mm"),
     ],
 )

@@ -9,7 +9,7 @@ from ..algebra.quantity import number
 from ..board.construction import Figure, Scale, View
 from ..board.paper.marks import Ground
 from ..foundation.patterns import pattern
-from ..foundation.slotted import dataclass
+from ..foundation.slotted import dataclass, replace
 from ..typeset import Box, layout
 from ..words import Lang, Words
 from .beside import beside
@@ -25,7 +25,8 @@ from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
 from .symbols.around import Surroundings
 from .symbols.marks import draw
-from .weighing.placed import Placed
+from .weighing.placed import BAD, Placed
+from .widened import Widths, widened, widths
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
 DETAIL = 1.15 * NOTE  # em of the title of a detail, which is a part of its figure: that of a scale
@@ -44,6 +45,7 @@ class Drawing:
     labels: tuple[Placed, ...]
     obstacles: tuple[Item, ...]
     drawn: Rect  # the extents of lines and lettering without the title
+    widths: Widths = ()  # the angles that are marked with other radii than in the figure
 
     @property
     def label_boxes(self) -> tuple[Rect, ...]:
@@ -105,12 +107,25 @@ def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: R
 
     What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
     """
+    made = _drawn(figure, lang, caption, frame)
+    by = widths(figure, made.labels, made.obstacles)
+    tried = (by, *((one,) for one in by)) if len(by) > 1 else (by,) if by else ()
+    wider = (replace(_drawn(widened(figure, some), lang, caption, frame), widths=some) for some in tried)
+    return min((made, *wider), key=_led)
+
+
+def _drawn(figure: Figure, lang: Lang, caption: bool, frame: Rect | None) -> Drawing:
     bare = Bare.of(figure, lang)
     placed = tuple(label for label in bare.lettering(frame).placed if not is_astray(figure, label))
     items = broken(bare.items, [label.rect for label in placed])
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
     return Drawing(scene, placed, items, lettered.extents)
+
+
+def _led(one: Drawing) -> tuple[int, int]:
+    """How many labels stand on something, and on leaders."""
+    return sum(label.cost > BAD for label in one.labels), sum(label.foot is not None for label in one.labels)
 
 
 def drawn_anew() -> None:

@@ -23,6 +23,7 @@ TURNS = tuple(sign * n * pi / 12 for n in range(13) for sign in ((1, -1) if n el
 LEAST, CLEAR, APART = 5.0, 0.6, 1.6  # mm: radius; from a line; from another arc about the same point
 HATCH = 1.4  # mm: depth of hatching that counts
 FINE = 16  # chords of an arc
+SAME = 0.01  # rad between two rays that are one
 ARROW, ALONG = 0.9, 0.2  # what a curved arrow pays for a force that it crosses, or for its line, where a link costs 1
 
 Acting = tuple[Any, float]  # a line, and what it costs
@@ -39,6 +40,26 @@ def swung(marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
         others = [found.get(id(one), one) for one in arcs if one is not arc and abs(one.at - arc.at) < NEAR]
         found[id(arc)] = _clear(arc, lines, grounds, others, acting if isinstance(arc, TurnArrow) else ())
     return tuple(found.get(id(mark), mark) for mark in marks)
+
+
+def marked_once(marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
+    """The marks without angles that are marked already, by the same symbol between the same rays."""
+    seen, kept = list[AngleMark](), list[Mark]()
+    for mark in marks:
+        if isinstance(mark, AngleMark):
+            if any(_is_one(mark, other) for other in seen):
+                continue
+            seen.append(mark)
+        kept.append(mark)
+    return tuple(kept)
+
+
+def _is_one(one: AngleMark, other: AngleMark) -> bool:
+    """Whether two marks are of one angle."""
+    if one.label != other.label or abs(one.at - other.at) > NEAR:
+        return False
+    ways = [(arc.start, arc.start + arc.sweep)[:: 1 if arc.sweep > 0 else -1] for arc in (one, other)]
+    return all(abs(cmath.rect(1.0, a) - cmath.rect(1.0, b)) < SAME for a, b in zip(*ways, strict=True))
 
 
 def _clear(arc: Arc, lines: Any, grounds: Any, others: Iterable[Arc], acting: Sequence[Acting]) -> Arc:

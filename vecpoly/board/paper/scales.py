@@ -21,7 +21,7 @@ class Sketched:
     none where its size has nothing to do with scales. letters: how many labels it has, which ask for room.
     spare: the white beside lines that are narrower than their title (mm), into which they grow. short: the shortest
     vector that is laid off or read in it (mm); linked: how large the mechanism itself stands in it (mm); 0 where there
-    is none."""
+    is none. scaled: whether its lengths mean something."""
 
     view: View
     name: str = ""
@@ -33,6 +33,7 @@ class Sketched:
     spare: float = 0.0
     short: float = 0.0
     linked: float = 0.0
+    scaled: bool = True
 
     def at(self, scale: float) -> Size:
         """Width and height at another scale."""

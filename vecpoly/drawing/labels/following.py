@@ -19,6 +19,7 @@ from ..scene import Item
 from ..weighing.placed import BAD, Placed
 from ..weighing.places import Places, Row
 from ..weighing.prices import Around
+from ..widened import Widths, widened
 from .about.bounds import Floats
 from .about.obstacles import Obstacles
 from .ground import broken
@@ -40,20 +41,21 @@ class Follower:
     size: float = 1.0  # of the letters, beside that on paper
     choice: dict[Name, int] = field(default_factory=dict)  # which of its places each label has
     supports: tuple[Ground, ...] = ()  # as they stand at the first position
+    widths: Widths = ()  # with which angles are marked otherwise than in the figure
 
     def again(self) -> Follower:
         """Another that goes on from where these letters and supports stand."""
-        return Follower(self.lang, self.size, dict(self.choice), self.supports)
+        return Follower(self.lang, self.size, dict(self.choice), self.supports, self.widths)
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
         if not self.choice:
             paper = drawing(figure, lang=self.lang)
-            self.choice = _chosen(paper)
+            self.choice, self.widths = _chosen(paper), paper.widths
             self.supports = tuple(mark for mark in hung(figure.marks) if isinstance(mark, Ground))
             if self.size == 1.0:
                 return _together(paper.obstacles, paper.labels)
-        bare = Bare.of(figure, self.lang, self.supports)
+        bare = Bare.of(widened(figure, self.widths), self.lang, self.supports)
         seen = tuple(resized(want, self.size) for want in bare.wanted)
         around = Around(Obstacles.of(bare.items), seen, bare.extents, None, bare.unnamed, bare.grounds)
         placed = self._follow(_names(bare.wanted), around)

@@ -8,7 +8,7 @@ from itertools import combinations
 
 from ...foundation.slotted import dataclass
 from .slicing import Pair, Piece, Shape, Size, Slicing, depth, is_read, is_table
-from .space import HIGHEST, NARROW, PLATE
+from .space import HIGHEST, PLATE
 from .spreading import spread
 
 TIGHT = 2.5  # mm of white between figures, and to the frame, at least: what is planned leaves more
@@ -119,8 +119,8 @@ def _plates(slicing: Slicing, sizes: Sequence[Size], widest: float) -> list[Layo
 
 
 def _plate(shape: Shape, sizes: Sequence[Size], together: int, widest: float) -> Layout:
-    wide, high, piece = shape
-    page = (max(NARROW, min(widest, wide + AROUND)), high + AROUND)
+    _, high, piece = shape
+    page = (widest, high + AROUND)
     return _layout(piece, (0, len(sizes)), sizes, padded(sizes), page, together)
 
 

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import Generic, Protocol, TypeVar
 
 from ...board.construction import View
-from ...foundation.slotted import replace
 from .packing import Layout, flat, packed, slicings
 from .slicing import Pair, Size
-from .space import HIGHEST, LARGEST, PLATE, SPARSE, is_page
+from .space import HIGHEST, LARGEST, PLATE, SPARSE
 
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
@@ -68,16 +67,6 @@ def plated(figures: Sequence[Sized], layout: Layout) -> Layout:
     if own < INKED and inked(figures, made := _on_plate(figures, layout, most, in_rows=True)) > own + FULLER:
         return made
     return trimmed(figures, layout) if share < BANDS else layout
-
-
-def as_wide_as_text(figures: Sequence[Sized], layout: Layout) -> Layout:
-    """A plate with its frame as wide as the text about it, its figures spread as before."""
-    more = PLATE - layout.page[0]
-    if more <= 0 or is_page(layout.page):
-        return layout
-    middles = (at.real + one.size[0] / 2 for at, one in zip(layout.corners, figures, strict=True))
-    corners = (at + more * middle / layout.page[0] for at, middle in zip(layout.corners, middles, strict=True))
-    return replace(layout, page=(PLATE, layout.page[1]), corners=tuple(corners))
 
 
 def _on_plate(figures: Sequence[Sized], layout: Layout, most: Size, *, in_rows: bool = False) -> Layout:

@@ -62,6 +62,7 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         spare=beside_title(figure),
         short=_shortest(figure, max(w, h)),
         linked=linked(figure) if figure.scale.symbol else 0.0,  # parts of a sketch may be small
+        scaled=bool(figure.scale.symbol),
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from .pages import Page, as_wide_as_text, plated, trimmed
+from .pages import Page, plated, trimmed
 from .paging import Drawn, even, lined, read_on
 from .space import is_page
 
@@ -18,4 +18,4 @@ def on_plates(pages: Sequence[Page[Drawn]], bands: bool) -> Iterator[Page[Drawn]
         if made is not layout and not read_on(group, even(group, lined(group, made))):
             made = trimmed(group, layout)
         first = first and not is_page(made.page)
-        yield group, as_wide_as_text(group, made)
+        yield group, made

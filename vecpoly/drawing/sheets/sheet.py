@@ -13,7 +13,6 @@ from ...foundation.stock import A4, ANY_A4, Format, Paper
 from ...words import Lang, Words
 from ..details.apart import is_detail
 from ..details.knots import knots
-from ..parted import parted
 from ..scene import Item, Rect, Scene
 from .boxes.redbox import BAND, red_box
 from .boxes.titleblock import Strip, furniture
@@ -22,8 +21,9 @@ from .expected import Expected, dear, further, trials
 from .lifting import lifted
 from .packing import Layout
 from .pages import Page, fullness
-from .paging import Drawn, arranged, best_paged, lined, paged, reading_order, under_box
+from .paging import Drawn, arranged, best_paged, lined, paged, under_box
 from .plating import on_plates
+from .readied import readied
 from .scales.enlarging import enlarged
 from .settling.settled import settled
 from .space import FRAME, SPARSE, STRIP, is_across, is_page, room_inside, usable
@@ -135,7 +135,7 @@ def sheets(
     Crowded places are drawn apart, enlarged, beside their figures, where that asks for no further sheet, or for one
     that is well filled. Raises VecpolyError where a figure is larger than a sheet.
     """
-    pages = _pages(parted(reading_order(construction.figures)), lang, on, construction.warning is not None)
+    pages = _pages(readied(construction.figures), lang, on, construction.warning is not None)
     if plates and on.way is None:
         pages = [*on_plates(pages, bands)]
     if plates and not bands and construction.warning is None:

@@ -8,7 +8,7 @@ from ...foundation.stock import A4, FORMATS, Format, Paper
 
 FRAME = 10.0  # paper edge to frame
 STRIP = 16.0  # title strip at the foot, inside the frame
-PLATE, NARROW = 170.0, 118.0  # width of a sheet in the text, which is that of the text; of what is filled at least
+PLATE = 170.0  # width of a sheet in the text, which is that of the text
 HIGHEST = 155.0  # of a plate over its strip, for which figures are made smaller: what is higher has a page
 LARGEST = 198.0  # of a plate in place of a page of which bands are white
 TALLEST = 238.0  # of a plate with its legend, over its strip: no page of text holds a higher one

@@ -16,7 +16,7 @@ from ....board.paper.scales import Sketched
 from ....board.place import Place
 from ....foundation.slotted import replace
 from ....foundation.stock import ANY_A4, Paper
-from ..pages import FULLER
+from ..pages import BANDS, FULLER
 from ..space import HIGHEST, LARGEST, PLATE, SPARSE, rooms
 from .balancing import balanced
 from .composition import CRAMPED, LOST, OWN, Composing, Scales, least_scales
@@ -24,6 +24,7 @@ from .growing import grown
 
 ENOUGH = 0.62  # of the usual size: no figure need be smaller for a plate
 NARROWER = 1.4  # times: no figure is made smaller than this for the sake of a plate as wide as the text
+WORTH = 0.63  # planned share of a page that figures of one scale take, below which they stand on a plate
 LARGER = 1.3  # times as large a mechanism is drawn on one sheet more, at least: 1.5 for 2, 3 for 4
 TAKEN = 0.45  # planned share of all sheets that figures take where one more is drawn about a short crank
 FULL = 0.53  # planned share of the emptiest of these sheets, or of the plate that it becomes
@@ -88,15 +89,30 @@ def _lower(page: Composing, best: Scales, start: Scales) -> Scales:
         return best
     if plate.alone(low) < OWN and page.alone(best) >= LARGER * plate.alone(low):
         return best
-    share = page.share(best)
-    return best if plate.low(low) <= share or (share >= SPARSE and plate.cramped(low, best)) else low
+    share, own = page.share(best), plate.low(low)
+    if share >= SPARSE and plate.cramped(low, best):
+        return best
+    if share < WORTH and own < BANDS and len(page.kinds) == 1:
+        return _on_large_plate(page, best, start) or low
+    return best if own <= share else low
 
 
 def _narrower(page: Composing, best: Scales, start: Scales) -> Scales:
     """Somewhat coarser scales, where figures that leave bands of their page white find room on a plate so, which is no
     wider than the text; else as they are."""
-    plate = Composing(page.figures, page.kinds, (PLATE, LARGEST))
-    if plate.low(best, LARGEST) > 0 or (low := grown(plate, start)) is None or not plate.low(low, LARGEST):
+    low = _on_large_plate(page, best, start)
+    if low is None:
         return best
-    smaller = any(low[kind] > NARROWER * best[kind] for kind in page.kinds)
-    return best if smaller or plate.low(low, LARGEST) < page.share(best) + FULLER or plate.roomy(low) < 1.0 else low
+    plate = Composing(page.figures, page.kinds, (PLATE, LARGEST))
+    return best if plate.low(low, LARGEST) < page.share(best) + FULLER or plate.roomy(low) < 1.0 else low
+
+
+def _on_large_plate(page: Composing, best: Scales, start: Scales) -> Scales | None:
+    """Scales that are the same or somewhat coarser, with which the figures find room on a plate that is nearly as high
+    as a page; None where none nearly as large does."""
+    plate = Composing(page.figures, page.kinds, (PLATE, LARGEST))
+    if plate.low(best, LARGEST) > 0:
+        return best
+    if (low := grown(plate, start)) is None or not plate.low(low, LARGEST):
+        return None
+    return None if any(low[kind] > NARROWER * best[kind] for kind in page.kinds) else low

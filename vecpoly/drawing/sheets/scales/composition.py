@@ -27,7 +27,7 @@ ROOM, CROWDED = 5.0, 0.85  # mm that a letter asks for; but of the usual size at
 CRAMPED = 12.0  # mm between the nearest two pins of a mechanism: about a shorter crank letters find no room
 OWN = 60.0  # mm that a mechanism itself measures, without what is constructed about it, wherever its sheet has room
 STANDS = 6.0  # mm of the mechanism itself for every letter on it, beside polygons that take room from it
-KNOT = 4.0  # mm of a construction for every letter on it, in which a linkage that is sought is found
+KNOT = 5.0  # mm of a construction for every letter on it, in which a linkage that is sought is found
 SMALL = 0.66  # of the size that is wanted of a mechanism: a smaller one has too little room on its sheet
 LOST = SPARSE + 0.08  # planned share of a page that may turn out too small
 BEYOND = 0.25  # what a figure counts for that is larger than a hand would draw it
@@ -191,7 +191,7 @@ class Composing:
     def knotted(self, scales: Mapping[Place, float]) -> float:
         """How much of a construction on which a linkage is found there is for every letter on it (mm)."""
         first = next((one for one in self.figures if one.of is View.MECHANISM), None)
-        if first is None or first.linked or not first.letters or self.kinds != {View.MECHANISM}:
+        if first is None or first.linked or not (first.letters and first.scaled) or self.kinds != {View.MECHANISM}:
             return inf
         return first.scale / scales[View.MECHANISM] * max(first.size) / first.letters
 
