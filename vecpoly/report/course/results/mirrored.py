@@ -60,8 +60,8 @@ def told(made: Table, about: Mirror, near: float) -> Words:
     low, high = (f"{angle:g}".replace("-", "−") for angle in (shown[0], shown[-1]))
     zh, en = zip(*_kinds(about), strict=True)
     return Words(
-        f"运动具有对称性：${drive}$ 换为 {other} 时，{'，'.join(zh)}，故只列 {low}° 至 {high}°。",
-        f"The motion is symmetrical: with {other} in place of ${drive}$, {', '.join(en)}; {low}° to {high}° are "
+        f"所列各量具有对称性：${drive}$ 换为 {other} 时，{'，'.join(zh)}，故只列 {low}° 至 {high}°。",
+        f"What is listed is symmetrical: with {other} in place of ${drive}$, {', '.join(en)}; {low}° to {high}° are "
         "listed. ",
     )
 
