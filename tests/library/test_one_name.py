@@ -17,6 +17,7 @@ from vecpoly.board.paper.marks import AngleMark, Point
 from vecpoly.board.place import view_named
 from vecpoly.designs.base import Design
 from vecpoly.problem.load import load
+from vecpoly.report.answers.box import answer_box
 from vecpoly.solution import solve
 from vecpoly.words import bare
 
@@ -117,3 +118,13 @@ def test_an_angle_on_the_figure_of_a_design_has_a_name_that_is_told(name: str) -
                 symbol = bare(mark.label.partition(" = ")[0]).translate(dict.fromkeys(map(ord, "{}")))
                 of_several = re.sub(r"(?<=[A-Z]{2})\d$", "", symbol)  # φ_AB1 of the directions φ_AB
                 assert symbol in told or of_several in told, f"{symbol} is on the figure alone"
+
+
+@each(Later(lambda: (*DESIGNS, "8-15", "best-gamma")))
+def test_an_answer_bears_the_number_of_its_solution_where_its_line_does(name: str) -> None:
+    solution = drawn(name).solution
+    for line in answer_box(solution, "zh").lines:
+        way = solution.answers[line.key].reading.formula
+        number = re.search(r"\^\(\d+\)", "" if way is None else plain(way).partition(" = ")[0])
+        head = plain(line.node).partition(" = ")[0]
+        assert number is None or number[0] in head, f"{line.key} is answered as {head}"

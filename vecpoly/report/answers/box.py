@@ -17,7 +17,7 @@ from ..values import is_worded
 from .alike import twins
 from .line import AnswerLine, answer_line
 from .notes import notes_of, scales_of
-from .order import Part, arranged, broken
+from .order import Part, arranged, as_found, broken
 from .rows import places_table, values_table
 from .tables import counted
 from .verdict import is_ill, remarks_on
@@ -56,7 +56,7 @@ def answer_box(
     explained: Explained = NOTHING_YET,
 ) -> AnswerBox:
     """Every asked quantity once, by solutions or kinds; said: conclusions that are no quantity."""
-    parts = arranged(answers or solution.answers.values())
+    parts = arranged(map(as_found, answers or solution.answers.values()))
     every = [one for part in parts for one in part.answers]
     rows = frozenset(one.key for one in in_rows(every))
     tables = _tables(parts, rows, solution, lang)

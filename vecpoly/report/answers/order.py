@@ -7,6 +7,7 @@ from collections.abc import Container, Iterable
 from dataclasses import dataclass
 
 from ...algebra.formula import Row, plain
+from ...foundation.slotted import replace
 from ...names import Named
 from ...solution import Answer, Solution
 from ...words import Lang, Words
@@ -28,6 +29,14 @@ class Part:
             return ""
         told = Words(f"解 {self.solution}", f"Solution {self.solution}")
         return (told + Words("（不能使用）", " (cannot be used)") if self.solution in broken else told).of(lang)
+
+
+def as_found(answer: Answer) -> Answer:
+    """The answer under the symbol that its line has: l_BC of the first solution as l_BC with (1) above."""
+    number, own = _in_line(answer), answer.reading.symbol
+    if not number or "^{(" in own:
+        return answer
+    return replace(answer, reading=replace(answer.reading, symbol=f"{own}^{{({number})}}"))
 
 
 def arranged(answers: Iterable[Answer]) -> tuple[Part, ...]:
@@ -57,6 +66,11 @@ def solution_of(answer: Answer) -> int:
     """To which of several solutions an answer belongs; 0 where it is one of all, or there is one only."""
     if isinstance(answer.rel, Named) and answer.rel.solution:
         return answer.rel.solution
+    return _in_line(answer)
+
+
+def _in_line(answer: Answer) -> int:
+    """The number above the symbol with which its line begins; 0 where there is none."""
     line = answer.reading.formula
     found = _OF_SOLUTION.match(_begins(line)) if isinstance(line, Row) else None
     return int(found[1]) if found else 0

@@ -111,7 +111,8 @@ def test_of_the_pressure_and_the_transmission_angle_one_is_read(name: str) -> No
 @each((*IDS, "3-9", "ex10"))
 def test_links_that_turn_alike_have_one_row_in_the_answer(name: str) -> None:
     solution = drawn(name).solution
-    rows = [row.keys for row in rows_in(answer_box(solution, "en"))]
+    box = answer_box(solution, "en")
+    rows = [*(row.keys for row in rows_in(box)), *((line.key, *line.also) for line in box.lines)]
     for key, answer in solution.answers.items():
         told = "" if answer.reading.formula is None else plain(answer.reading.formula)
         if alike := re.match(r"([ωα])_(\w+) = \1_(\w+) = ", told):
