@@ -63,12 +63,42 @@ WIDE = str.maketrans("0123456789.-+ ", "０１２３４５６７８９．－＋�
         ("64 N-m", 64),
         ("2 m·s-2", 2),
         ("0.5m.s-1", 0.5),
+        ("4.7/s", 4.7),
+        ("4.7/s²", 4.7),
     ],
 )
 def test_a_number_with_its_unit_is_read_however_it_is_written(text: str, si: float) -> None:
     found = written(text)
     assert found.state is State.READ and found.raw == text
     assert found.value * (found.unit.factor if found.unit else 1.0) == pytest.approx(si, rel=1e-12)
+
+
+NUMBERS = ("{:.4f}", "{:.3e}", "{:.2E}", "{}×10^{}", "{}x10^{}", "{} × 10^{}", "{}*10^({})", "{}·10**{}")
+SPELT = {
+    1.0: ("m/s", "rad/s", "米/秒", "m·s⁻¹", "N", "牛", "kg", "/s", "m/s²", "N·m", "Nm", "弧度/秒", ""),
+    1e-3: ("mm/s", "mm", "毫米", "mm/s2", "g"),
+    1e3: ("kN", "kN·m", "km"),
+}
+
+
+@given(
+    st.integers(100, 9999),
+    st.sampled_from(NUMBERS),
+    st.sampled_from([(factor, unit) for factor, units in SPELT.items() for unit in units]),
+    st.sampled_from(["", " "]),
+    st.booleans(),
+)
+def test_any_way_to_write_a_number_goes_with_any_way_to_write_a_unit(
+    size: int, way: str, spelt: tuple[float, str], blank: str, wide: bool
+) -> None:
+    """2.5e+02N, without a blank, had no unit that was known."""
+    value = size / 1000 if "." in way else size / 1000 * 100
+    text = (way.format(value) if "." in way else way.format(size / 1000, 2)) + blank + spelt[1]
+    if wide:
+        text = "".join(chr(ord(one) + 0xFEE0) if "!" <= one <= "~" else one for one in text)
+    found = written(text)
+    assert found.state is State.READ, text
+    assert found.value * (found.unit.factor if found.unit else 1.0) == pytest.approx(value * spelt[0], rel=5e-3)
 
 
 @pytest.mark.parametrize(

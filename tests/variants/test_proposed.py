@@ -50,6 +50,7 @@ def test_a_range_goes_as_far_to_either_side_and_never_through_nought(value: Deci
         ("0 mm", ""),
         ("?", ""),
         ("ccw", ""),
+        ("7 um at 63 deg", ""),
         ("2", ""),
     ],
 )

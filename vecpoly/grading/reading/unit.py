@@ -56,6 +56,7 @@ def unit(text: str) -> Unit | None:
 def _spelt(text: str) -> str:
     """As `unit_names` spells it."""
     found = text.strip().strip("()[]").replace("°", "deg")
+    found = f"1{found}" if found.startswith("/") else found  # 4.7/s
     for chinese, plain in _CHINESE:
         found = found.replace(chinese, plain)
     found = re.sub(r"(?<=N)-(?=m)", "*", _LARGE.sub("k", found))  # N-m

@@ -57,6 +57,8 @@ def spread(written: str, steps: int, *, of_drive: bool = False) -> str:
     if found is None or not (value := Decimal(found[1])):
         return ""
     unit = (found[2] or "").strip()
+    if " " in _SENSE.sub("", unit):  # 7 um at 63 deg
+        return ""
     step = _TURN if of_drive else round_step(abs(value) / _SHARE)
     if not unit and value == value.to_integral_value():
         step = max(step, Decimal(1))
