@@ -46,7 +46,8 @@ def test_what_is_read_has_the_figures_of_its_reading_three_at_least_and_one_more
 
 def test_the_force_in_a_joint_has_one_number_by_whichever_links_it_is_called() -> None:
     told = {parts[0]: parts for parts in lines_of(solve(load("cam-roller-load"), repeats=0, precise=False))}
-    assert told["R_12,0"][-1] == "412.8 N" and told["M_0"][2].startswith("412.8 × ")
+    number = told["R_12,0"][-1].removesuffix(" N")
+    assert float(number) == pytest.approx(412.6, rel=2e-3) and told["M_0"][2].startswith(f"{number} × ")
     assert of_both(sym("R_{21,0}")) == of_both(sym("R_{12,0}")) == sym("R_{12,0}")
     assert of_both(sym("R_{31}")) != of_both(sym("R_{21}")) and of_both(sym("r_{21}")) == sym("r_{21}")
 

@@ -12,12 +12,12 @@ from tests.drawn_sheets import laid, share, span
 from tests.each import Later, each
 from tests.laws import few
 from vecpoly.board.construction import Figure
+from vecpoly.board.paper.scales import finer
 from vecpoly.drawing.scene import TextBox
 from vecpoly.drawing.sheets.sheet import Sheet
 from vecpoly.report.picture import diagram
 
 FILLED, USUAL = 0.6, 0.75  # share of a sheet that its figures take at least, and as a rule
-REACH = 0.8  # of a sheet's width or height: drawn 1.25 times as large, the step of round scales, it would not fit
 HULL = 0.6  # share of a sheet inside the convex hull of all ink, as a rule
 SHEETS = Later(lambda: (name for name in DRAFTED if diagram(drawn(name).construction) is None))  # others have none
 MORE = Later(
@@ -39,6 +39,12 @@ def free(name: str, sheet: Sheet) -> bool:
     return not told and all(scale.symbol and scale.across is None for scale in scales)
 
 
+def step(name: str, sheet: Sheet) -> float:
+    """How many times as large its figures would be at the next round scale."""
+    scales = [figure.scale.value for figure in figures_of(name, sheet)]
+    return min(scale / finer(scale) for scale in scales)
+
+
 def hull(sheet: Sheet) -> float:
     """Share of the sheet, inside frame and strip, that the convex hull of all ink takes."""
     spots = [z for item in sheet.drawn for z in _corners(item)]
@@ -58,7 +64,8 @@ def _corners(item: object) -> tuple[complex, ...]:
 def test_figures_whose_scale_is_free_take_three_fifths_of_their_sheet_or_meet_its_margins(name: str) -> None:
     for sheet in laid(name):
         if free(name, sheet):
-            assert share(sheet) >= FILLED or max(span(sheet)) >= REACH, [figure.extents for figure in sheet.figures]
+            reach = max(span(sheet)) * step(name, sheet)
+            assert share(sheet) >= FILLED or reach >= 1.0, [figure.extents for figure in sheet.figures]
 
 
 @each(SHEETS)

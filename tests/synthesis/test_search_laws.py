@@ -123,7 +123,8 @@ def test_a_mirrored_dead_centre_is_the_same(one: float, other: float, turn: floa
 def _verdict(kind: str, **data: str) -> tuple[str, list[float]]:
     """What is said of the one candidate, and its pins' distances from A (mm on paper, in ratios)."""
     solution = posed(kind, **data).solve(by="exact")
-    assert not solution.suspect
+    warning = solution.construction.warning
+    assert warning is None or "badly conditioned" in warning.en, warning  # as of two positions that hardly differ
     (one,) = solution.construction.candidates
     a, scale = one.pins["A"], abs(one.pins["D"] - one.pins["A"])
     return one.verdict, sorted(abs(at - a) / scale for at in one.pins.values())
