@@ -7,7 +7,7 @@ from difflib import get_close_matches
 
 from .board.acts import Act, Area, Locate, Measure
 from .board.otherwise.amended import Amended, plain_letters
-from .board.otherwise.slip import Slip
+from .board.otherwise.slip import Mistake, Slip
 from .errors import ArgumentError, UnknownNameError
 from .foundation.frozen import FrozenMap
 from .units.reading import Dim, read
@@ -42,6 +42,8 @@ def found_all(amended: Amended, acts: Sequence[Act], written: Mapping[str, Lengt
                 Words(f"图上没有 {key}，不能在此出错", f"there is no {key} on the sheet to make a mistake with"),
                 code="unknown-act",
             )
+        if amended.slip.mistake is Mistake.OTHER_CENTRE:
+            _known([amended.slip.instead], [act for act in acts if isinstance(act, Locate)], Words("瞬心", "centre"))
     _known(amended.points, [act for act in acts if isinstance(act, Locate)], Words("点", "point"))
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from vecpoly import Mistake, Slip, load, slips, solve
-from vecpoly.board.acts import Locate
+from vecpoly.board.acts import Locate, Parallel
+from vecpoly.errors import UnknownNameError
 from vecpoly.solution import Solution
 
 CENTRES = ("3-2", "D-1", "3-1a")
@@ -52,3 +53,13 @@ def test_a_line_through_the_wrong_centre_puts_the_next_centre_on_it() -> None:
     a, b, c = found["P14"], found["P12"], found["P13"]
     assert abs(((b - a).conjugate() * (c - a)).imag) < 1e-6 * abs(b - a) * abs(c - a)
     assert found["P13"] != pytest.approx(places(drawn("3-2"))["P13"])
+
+
+def test_a_centre_that_is_not_yet_found_misleads_nobody_and_one_that_there_is_not_is_refused() -> None:
+    """At another scale centres may be found in another order: the first ended in a KeyError, in classes too."""
+    right, lines = drawn("3-1d"), [one.key for one in drawn("3-1d").construction.acts if isinstance(one, Parallel)]
+    first, last = next(key for key in lines if key.startswith("P")), list(places(right))[-1]
+    early = drawn("3-1d", slip=Slip(Mistake.OTHER_CENTRE, first, last))
+    assert places(early) == places(right)
+    with pytest.raises(UnknownNameError, match="no centre 'P99' on the sheet"):
+        drawn("3-1d", slip=Slip(Mistake.OTHER_CENTRE, first, "P99"))

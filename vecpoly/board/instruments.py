@@ -223,9 +223,10 @@ class Instruments(Strokes):
         return traced(at, act)
 
     def _led(self, slip: Slip, at: Points, along: Points) -> Points:
-        """The direction of a ruled line by this mistake."""
-        if slip.mistake is Mistake.OTHER_CENTRE and self.here is not None:
-            return unit(self.ledger.spots[self.here, slip.instead] - at)
+        """The direction of a ruled line by this mistake; as it is where the wrong centre has not been found yet."""
+        if slip.mistake is Mistake.OTHER_CENTRE:
+            other = None if self.here is None else self.ledger.spots.get((self.here, slip.instead))
+            return along if other is None else unit(other - at)
         return 1j * along if slip.mistake is Mistake.TURNED else along
 
     def _wrongly(self, place: Place | None, key: str, vector: Points) -> Points:
