@@ -14,7 +14,7 @@ from vecpoly.grading.marking.marker import mark
 from vecpoly.grading.rules import Rules
 from vecpoly.grading.sheet import sheet_of
 from vecpoly.grading.slips.mutants import Mutant, mutants
-from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.named import Told
 
 
 @dataclass(slots=True)

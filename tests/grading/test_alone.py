@@ -10,7 +10,7 @@ from tests.laws import few
 from vecpoly.cli.app import app
 from vecpoly.grading.reading.written import written
 from vecpoly.grading.student import check_answers
-from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.named import Told
 from vecpoly.grading.told.veiled import veiled
 
 

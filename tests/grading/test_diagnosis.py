@@ -13,7 +13,8 @@ from vecpoly.grading.key import Kind
 from vecpoly.grading.marking.marked import Marked
 from vecpoly.grading.rules import Rules
 from vecpoly.grading.slips.whole import mutated
-from vecpoly.grading.told.catalogue import SENTENCES, Told
+from vecpoly.grading.told.catalogue import SENTENCES
+from vecpoly.grading.told.named import Told
 from vecpoly.grading.told.slip import told_of
 from vecpoly.words import bare
 

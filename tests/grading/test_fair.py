@@ -3,10 +3,13 @@ mistake costs where it was made."""
 
 from __future__ import annotations
 
+from cmath import exp
+from math import radians
+
 import pytest
 
-from tests.grading.cases import key_of, marked, mutants_of, told
-from vecpoly import Mistake, Slip, load
+from tests.grading.cases import key_of, marked, mutants_of, problem_of, told
+from vecpoly import Mistake, Slip, load, solve
 from vecpoly.algebra.quantity import number
 from vecpoly.grading.compare.outcome import Basis, Outcome
 from vecpoly.grading.derive.keyed import answer_key
@@ -45,11 +48,40 @@ def test_zero_is_wrong_however_much_drawings_scatter_and_the_reason_is_not_its_t
 
 
 def test_a_place_that_scatters_over_the_whole_figure_says_so() -> None:
-    """P_58 of class-iii may lie 0.35 m off; any place was right without a word."""
+    """P_58 of class-iii may lie 0.35 m off; any place was right without a word, and then any place with one."""
     far = [one.key for one in key_of("class-iii").quantities if one.demoted and one.kind is Kind.PLACE]
     assert "P_58" in far and "P_14" not in far
-    x, y = (1000.0 * number for number in key_of("class-iii")["P_58"].at or ())
-    assert "demoted" in told(marked("class-iii", {"P_58": f"({x + 50:.0f}, {y:.0f})"}), "P_58")
+    assert "demoted" in told(marked("class-iii", {"P_58": beside("class-iii", "P_58", along=0.05)}), "P_58")
+    assert told(marked("class-iii", {"P_58": beside("class-iii", "P_58", across=0.05)}), "P_58")[0] == "beside"
+
+
+def beside(name: str, key: str, along: float = 0.0, across: float = 0.0) -> str:
+    """A place so far (m) from the exact one, along the direction in which drawings scatter and across it."""
+    one = key_of(name)[key]
+    assert one.at is not None and one.leans is not None
+    at = complex(*one.at) + complex(along, across) * exp(1j * radians(one.leans))
+    return f"({1e3 * at.real:.3f}, {1e3 * at.imag:.3f})"
+
+
+LEANING = [("class-iii", "P_26"), ("class-iii", "P_58"), ("3-1d", "P_46"), ("curv-1", "p_OE")]
+
+
+@pytest.mark.parametrize(("name", "key"), LEANING)
+def test_a_place_is_held_to_the_line_along_which_drawings_scatter(name: str, key: str) -> None:
+    one = key_of(name)[key]
+    assert 0 < one.across < one.allowed / 3
+    for along, across, right in ((0.9, 0.9, True), (-0.9, -0.9, True), (0.0, 1.6, False), (0.0, -1.6, False)):
+        said = marked(name, {key: beside(name, key, along * one.allowed * 0.9, across * one.across)})[key]
+        assert said.outcome.is_right is right, (along, across)
+
+
+@pytest.mark.parametrize(("name", "key"), LEANING[1:])
+def test_a_right_drawing_by_pencil_is_accepted_where_places_lean(name: str, key: str) -> None:
+    """Other hands than those whose scatter made T."""
+    at = [solve(problem_of(name), by="pencil", seed=seed, repeats=0).answers[key].drawn_vector for seed in range(1, 41)]
+    cells = [f"({1e3 * z.real:.2f}, {1e3 * z.imag:.2f})" for z in at if z is not None]
+    right = [marked(name, {key: cell})[key].outcome.is_right for cell in cells]
+    assert len(cells) == 40 and sum(right) >= 38
 
 
 def test_words_in_every_cell_earn_no_scale() -> None:

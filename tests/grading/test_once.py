@@ -13,7 +13,7 @@ from vecpoly.grading.rules import USUAL_RULES
 from vecpoly.grading.sheet import sheet_of
 from vecpoly.grading.slips.mutants import Mutant
 from vecpoly.grading.student import check_answers
-from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.named import Told
 
 
 def left_out(name: str, term: str) -> Mutant:

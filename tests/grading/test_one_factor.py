@@ -8,7 +8,7 @@ from tests.grading.cases import key_of, marked, mutants_of
 from vecpoly.grading.compare.outcome import Basis
 from vecpoly.grading.key import Kind
 from vecpoly.grading.marking.marked import Marked
-from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.named import Told
 from vecpoly.grading.told.veiled import veiled
 
 NUMBERS = (Kind.READING, Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)

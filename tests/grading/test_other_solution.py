@@ -9,7 +9,7 @@ import pytest
 from tests.grading.cases import key_of, marked, problem_of
 from vecpoly.designs.base import Design
 from vecpoly.grading.marking.solutions import other_keys
-from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.named import Told
 
 NAME = "two-solutions"
 OTHER = {"BC": "97.8", "AD": "163.1"}  # of solution 2; solution 1 has AD = 80.9

@@ -6,7 +6,7 @@ import pytest
 
 from tests.grading.cases import key_of, marked, mutants_of
 from vecpoly.grading.compare.outcome import Basis
-from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.named import Told
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 from tests.grading.cases import key_of, problem_of
 from vecpoly.batch.moodle.answers import bands
 from vecpoly.grading.student import check_answers
-from vecpoly.grading.told.catalogue import Told
+from vecpoly.grading.told.named import Told
 
 ONES = {"7-2a": ("i_0_I", "i_II_I", "i_III_I", "M_r"), "7-5": ("M_r",), "train-differential": ("v_O2", "v_C")}
 EACH = [(problem, name) for problem, names in ONES.items() for name in names]

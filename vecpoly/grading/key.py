@@ -75,8 +75,9 @@ class Graded:
     quantities that it rests on directly. sigma: what a student's hand scatters by; allowed: T, both in the unit of
     `exact`; turned: what it scatters by in direction (deg). demoted: too badly conditioned to be held against the
     exact value; it is graded by what it was computed from. origin: of a place the fixed point from which its
-    coordinates are read, right and up. unsigned: a size, whose sign is a convention. points: nothing for a step on the
-    way.
+    coordinates are read, right and up; leans: the direction (deg) in which it scatters far more than across that, as
+    where two lines meet flatly; across: T across it. unsigned: a size, whose sign is a convention. points: nothing for
+    a step on the way.
     """
 
     key: str
@@ -97,6 +98,8 @@ class Graded:
     demoted: bool = False
     asked: bool = False
     origin: str = ""
+    leans: float | None = None
+    across: float = 0.0
     unsigned: bool = False
     points: Points = NOTHING
 

@@ -25,8 +25,8 @@ from .reading.symbol import keyed, squeezed
 from .sheet import sheet_of
 from .slips.mutants import mutants
 from .told.alone import alone, has_wrong_unit
-from .told.catalogue import Told
 from .told.message import Message
+from .told.named import Told
 
 _WRONG_UNIT = Words("单位错", "wrong unit")
 _EQUALS = re.compile(r"[=＝≈≅:：]")

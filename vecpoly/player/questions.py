@@ -22,8 +22,9 @@ from ..grading.rules import USUAL_RULES
 from ..grading.slips.mutants import Mutant, mutants
 from ..grading.slips.single import POWERS, mistaken_for
 from ..grading.slips.whole import LONE, MARGIN, mutated
-from ..grading.told.catalogue import SENTENCES, Told
+from ..grading.told.catalogue import SENTENCES
 from ..grading.told.message import Message, message
+from ..grading.told.named import Told
 from ..grading.told.slip import told_of
 from ..names import written_unit
 from ..printed.units import printed_unit

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import degrees, hypot
+from math import cos, degrees, hypot, radians, sin
 
 from ..allowance import Allowance
 from ..key import Graded, Kind, beside, come_round
@@ -45,6 +45,14 @@ def distance(given: Measured, graded: Graded, target: Target) -> float:
     return abs(gap(given.value, graded, target))
 
 
+def beside_line(given: Measured, graded: Graded, target: Target) -> float:
+    """How far a place is off across the direction in which drawings scatter; nothing where they do so in all alike."""
+    if given.at is None or target.at is None or graded.leans is None:
+        return 0.0
+    turn = radians(graded.leans)
+    return abs((given.at[1] - target.at[1]) * cos(turn) - (given.at[0] - target.at[0]) * sin(turn))
+
+
 def widened(given: Measured, target: Target) -> float:
     """T with what the last digit that was written hides: nobody writes more digits than he has; 0 hides nothing."""
     return target.allowed + (min(given.half, target.allowed) * 0.5 if given.value else 0.0)
@@ -68,7 +76,8 @@ def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> O
     if graded.kind is Kind.YES_NO:
         return Outcome.RIGHT if given.yes == bool(target.value) else Outcome.WRONG
     if graded.kind is Kind.PLACE and given.at is not None and target.at is not None:
-        return _band(distance(given, graded, target), target.allowed, rule)
+        whole = _band(distance(given, graded, target), target.allowed, rule)
+        return max(whole, _band(beside_line(given, graded, target), graded.across, rule), key=_PLACED.index)
     if _nothing(given, graded, target, rule):
         return Outcome.WRONG
     off = gap(given.value, graded, target)
@@ -86,6 +95,9 @@ def _nothing(given: Measured, graded: Graded, target: Target, rule: Allowance) -
     return not given.value and bool(target.value) and graded.unit != "deg" and seen and (
         target.allowed <= abs(target.value) * (1 + 1e-9)
     )  # fmt: skip
+
+
+_PLACED = (Outcome.RIGHT, Outcome.CLOSE, Outcome.WRONG)  # the worse the farther behind
 
 
 def _band(off: float, allowed: float, rule: Allowance) -> Outcome:

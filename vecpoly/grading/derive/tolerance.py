@@ -20,6 +20,7 @@ from ..key import Graded, Kind, beside, come_round
 LOST = 0.1  # share of hands that cannot close a figure, beyond which nothing can be promised
 COMPUTED = 1e-9  # of the largest of its unit: less is zero
 BETWEEN = 0.25  # of the way to another value of its kind: as far off is a value still itself
+LONG, FAR = 3.0, 3.0  # times as far as across a place scatters along a direction to lean; σ across it in T
 DEGREE = 1.0  # what an angle is read to at best
 
 
@@ -56,6 +57,20 @@ class Scatter:
             return 0.0
         off = np.angle(repeats[1:] / repeats[0])
         return float(np.degrees(np.std(off[np.isfinite(off)])))
+
+    def leaning(self, one: Graded, act: Act) -> tuple[float | None, float]:
+        """The direction (deg) in which a place scatters far more than across it, and σ across."""
+        repeats: Any = self.drawn.hands.get(act.number)
+        if one.kind is not Kind.PLACE or repeats is None or np.ndim(repeats) == 0:
+            return None, 0.0
+        nominal, *others = np.asarray(repeats, dtype=complex)
+        off = np.array([other - nominal for other in others if np.isfinite(other)])
+        moments = np.cov(off.real, off.imag, ddof=0) + np.outer(mean := [off.real.mean(), off.imag.mean()], mean)
+        sizes, axes = np.linalg.eigh(moments)
+        across, along = np.sqrt(np.maximum(sizes, 0.0))
+        if not along > LONG * across:
+            return None, 0.0
+        return float(np.degrees(np.arctan2(axes[1, 1], axes[0, 1]))) % 180.0, float(across)
 
     def bounded(self, graded: Sequence[Graded]) -> list[Graded]:
         """The quantities with T,
@@ -96,7 +111,9 @@ class Scatter:
         if size <= COMPUTED * largest or one.kind is Kind.PLACE or (one.unit == "deg" and spread):
             wide = _share(one, spread, largest) > rule.share
             allowed = max(spread, floor) if isfinite(spread) else size or largest
-            return replace(one, allowed=allowed, demoted=wide)  # no share of what has no size
+            across = max(FAR * one.across, floor)
+            leans = one.leans if across < allowed else None
+            return replace(one, allowed=allowed, demoted=wide, leans=leans, across=across if leans is not None else 0.0)
         if spread > rule.share * size:
             return replace(one, allowed=max(min(spread, size), floor), demoted=True)
         cap = min(rule.cap / mm if mm else inf, rule.share) * size
@@ -158,4 +175,5 @@ def _rid_of_rounding(one: Graded, largest: float) -> Graded:
 
 def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:
     """The quantity with the scatter of the act that gave it."""
-    return replace(one, sigma=scatter.sigma(one, act), turned=scatter.turned(act))
+    leans, across = scatter.leaning(one, act)
+    return replace(one, sigma=scatter.sigma(one, act), turned=scatter.turned(act), leans=leans, across=across)

@@ -12,8 +12,8 @@ from ..compare.outcome import Finding, Outcome
 from ..key import AnswerKey, Graded
 from ..rules import Rules
 from ..sheet import Sheet
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 from .row import EquationRow
 from .ticks import BLANK, ticks
 

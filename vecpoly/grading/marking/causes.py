@@ -11,8 +11,8 @@ from ..key import Graded
 from ..slips.mutants import Mutant
 from ..slips.single import explanations, is_value_of
 from ..slips.whole import agrees, explain
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 from ..told.slip import either, told_of
 from .factors import of_factors
 from .verdict import Verdicts

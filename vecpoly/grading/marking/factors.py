@@ -7,8 +7,8 @@ from math import log10
 
 from ..compare.outcome import Basis, Outcome
 from ..key import Graded, Kind
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 from .verdict import Verdicts
 from .why import Causes
 

@@ -19,8 +19,8 @@ from ..reading.written import State, Written
 from ..rules import USUAL_RULES, Rules
 from ..sheet import Sheet
 from ..slips.mutants import Mutant
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 from .causes import causes
 from .drawn import paid_by_length
 from .lines import drawn_by, paid_by_lines, with_lengths

@@ -12,8 +12,8 @@ from ..compare.measured import measured
 from ..key import AnswerKey
 from ..reading.written import State
 from ..sheet import Sheet
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 
 _NUMBERED = re.compile(r"(.+?)(_?)(\(?)(\d+)(\)?)")  # AB_1, l_AB(1)
 SAME = 1e-9  # nearer than that are two solutions that have a length in common

@@ -12,8 +12,8 @@ from ..compare.measured import measured
 from ..key import AnswerKey, Graded, Kind
 from ..reading.written import State
 from ..sheet import Sheet
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 
 
 def as_answered(problem: Problem, key: AnswerKey, sheet: Sheet) -> tuple[AnswerKey, tuple[Message, ...]]:

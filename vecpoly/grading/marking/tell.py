@@ -8,13 +8,13 @@ from math import floor, isfinite, log10
 from ...algebra.quantity import number
 from ...names import written_unit
 from ...words import Words, bare
-from ..compare.band import distance, gap, is_other_sense, target_of, widened
+from ..compare.band import beside_line, distance, gap, is_other_sense, target_of, widened
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Outcome
 from ..key import Graded, Kind, is_count
 from ..rules import Rules
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 from .verdict import Verdicts
 from .why import Causes
 
@@ -58,6 +58,14 @@ def _outcome(found: Verdicts, why: Causes, one: Graded) -> Iterator[Message]:
                 yield message(Told.SENSE_MISSING)
         case Outcome.SENSE | Outcome.DIRECTION | Outcome.WRONG:
             yield from _wrong(found, why, one, outcome)
+
+
+def _astray(found: Verdicts, one: Graded) -> Message:
+    """By how much a wrong value is off: a place that is near enough along its line, across that."""
+    aside = beside_line(found.given[one.key], one, target_of(one))
+    if one.leans is not None and abs(off_by(found, one)) <= one.allowed:
+        return message(Told.BESIDE, a=f"∠{one.leans:.0f}°", e=_amount(one, aside, 2), t=_amount(one, one.across, 2))
+    return message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
 
 
 def _is_unsaid(found: Verdicts, one: Graded) -> bool:
@@ -115,11 +123,7 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
         yield message(Told.NOT_RIGHT)
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED, Told.EXCHANGED):
         nothing = not found.given[one.key].value and abs(one.exact) <= one.allowed and one.at is None
-        yield (
-            message(Told.NOT_ZERO)
-            if nothing
-            else message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
-        )
+        yield (message(Told.NOT_ZERO) if nothing else _astray(found, one))
     if outcome is not Outcome.WRONG and found.exact[one.key] is Outcome.WRONG and one.key in found.followed:
         source = source_of(found, one)
         yield message(Told.SIZE_OWN, src=found.key[source].symbol, v=_mine(found, source))
@@ -150,7 +154,8 @@ def _demoted(found: Verdicts, one: Graded) -> Iterator[Message]:
     if one.demoted and found.outcome[one.key].is_right and found.basis.get(one.key, Basis.EXACT) is Basis.EXACT:
         whole = max(abs(each.exact) for each in found.key.quantities if each.unit == one.unit)
         size = whole if one.kind is Kind.PLACE or not one.exact else abs(one.exact)
-        yield message(Told.DEMOTED, t=_amount(one, one.allowed, 2), share=f"{100 * one.allowed / size:.0f}")
+        along = "" if one.leans is None else f" ∠{one.leans:.0f}°"
+        yield message(Told.DEMOTED, t=_amount(one, one.allowed, 2) + along, share=f"{100 * one.allowed / size:.0f}")
 
 
 def _sign(found: Verdicts, one: Graded) -> Iterator[Message]:

@@ -8,8 +8,8 @@ from itertools import combinations
 from ..compare.band import Target
 from ..compare.measured import Measured
 from ..key import AnswerKey, Graded
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 
 TENS = 4
 ALONG = 1e-6  # of their distance: nearer to their line two centres have the third on it

@@ -10,8 +10,8 @@ from ...names import Rel, parse_rel
 from ..compare.band import Target, distance, gap
 from ..compare.measured import Measured
 from ..key import AnswerKey, Graded, Kind
-from ..told.catalogue import Told
 from ..told.message import Message, message
+from ..told.named import Told
 from .places import of_places
 
 NEAR = 0.05  # a factor is one only as near as this

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ...words import Words
-from .catalogue import Told
 from .message import Message
+from .named import Told
 
 _IN_TABLE: Mapping[Told, Words] = {
     Told.OK: Words("误差 {e} mm，允许 ±{t} mm", "Error {e} mm, allowed ±{t} mm"),

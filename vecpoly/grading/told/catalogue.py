@@ -3,85 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from enum import StrEnum
 
 from ...words import Words
-
-
-class Told(StrEnum):
-    """The names of the sentences."""
-
-    OK = "ok"
-    OK_RECKONED = "ok_reckoned"
-    OK_ROUNDED = "ok_rounded"
-    OK_OWN = "ok_own"
-    OK_SLIP = "ok_slip"
-    OK_DRAWN = "ok_drawn"
-    CLOSE = "close"
-    WRONG = "wrong"
-    WRONG_FROM = "wrong_from"
-    SENSE = "sense"
-    SENSE_TOO = "sense_too"
-    SENSE_MISSING = "sense_missing"
-    SIGN = "sign"
-    SIGN_FREE = "sign_free"
-    REVERSED = "reversed"
-    DIRECTION = "dir"
-    SIZE_OWN = "size_own"
-    UNIT_MISSING = "unit_missing"
-    UNIT_WRONG = "unit_wrong"
-    UNIT_NONE = "unit_none"
-    POW10 = "pow10"
-    TURNS = "two_pi"
-    PER_MINUTE = "per_minute"
-    DEGREES = "degrees"
-    SCALE_CONST = "scale_const"
-    EVERYTHING = "everything"
-    SCALE_UNDECLARED = "scale_undeclared"
-    SCALE_ODD = "scale_odd"
-    SLIP = "slip"
-    EITHER = "either"
-    CORIOLIS = "coriolis"
-    CORIOLIS_2 = "coriolis_2"
-    TWO_SLIPS = "two_slips"
-    SWAPPED = "swapped"
-    EXCHANGED = "exchanged"
-    COORDINATE_SIGN = "coordinate_sign"
-    DIVIDED = "divided"
-    TRANSLATES = "translates"
-    ZERO = "zero"
-    NOT_ZERO = "not_zero"
-    READ = "read"
-    NOT_FOLLOWED = "not_followed"
-    UNDRAWABLE = "undrawable"
-    FEW_DIGITS = "few_digits"
-    MANY_DIGITS = "many_digits"
-    DEMOTED = "demoted"
-    BLANK = "blank"
-    NONE = "none"
-    UNREADABLE = "unreadable"
-    AMBIGUOUS = "ambiguous"
-    RIGHT = "right"
-    NEARLY = "nearly"
-    NOT_RIGHT = "not_right"
-    TURNED = "turned"
-    TICK_GIVEN = "tick_given"
-    TICK_UNKNOWN = "tick_unknown"
-    NO_EQUATION = "no_equation"
-    RENUMBERED = "renumbered"
-    OTHER_SOLUTION = "other_solution"
-    NOT_READ = "not_read"
-    CONTRADICTION = "contradiction"
-    NOT_CLOSED = "not_closed"
-    NO_UNIT_OF_IT = "no_unit_of_it"
-    HAS_NO_UNIT = "has_no_unit"
-    NO_UNIT = "no_unit"
-    NUMBER_RIGHT = "number_right"
-    FOLLOWS_OWN = "follows_own"
-    FOLLOWS_SLIP = "follows_slip"
-    FOLLOWS_DRAWN = "follows_drawn"
-    ONE_FACTOR = "one_factor"
-
+from .named import Told
 
 SENTENCES: Mapping[Told, Words] = {
     Told.OK: Words("正确（误差 {e} mm，允许 ±{t} mm）", "Correct (error {e} mm, allowed ±{t} mm)"),
@@ -105,6 +29,10 @@ SENTENCES: Mapping[Told, Words] = {
         "Close: off by {e}; drawing or reading not accurate enough (allowed ±{t})",
     ),
     Told.WRONG: Words("不正确：与正确值相差 {e}（允许 ±{t}）", "Not correct: off by {e} (allowed ±{t})"),
+    Told.BESIDE: Words(
+        "不正确：作图误差沿 {a} 方向较大，而此点偏在一侧 {e}（允许 ±{t}）",
+        "Not correct: drawings scatter along {a}, and it lies {e} to the side (allowed ±{t})",
+    ),
     Told.WRONG_FROM: Words("按你的 ${src}$ = {v} 应得 {own}", "From your ${src}$ = {v} follows {own}"),
     Told.SENSE: Words(
         "大小正确，转向相反：请在图上重新判断转向（如将切向矢量移到机构图上）",

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...words import Words, bare
-from .catalogue import SENTENCES, Told
+from .catalogue import SENTENCES
+from .named import Told
 
 Parameter = str | Words
 

@@ -11,8 +11,8 @@ from ...errors import UnknownNameError
 from ...foundation.greek import GREEK
 from ...names import Kind, parse_rel
 from ...words import Words
-from .catalogue import Told
 from .message import Message, message
+from .named import Told
 
 _RATIO = re.compile(r"omega_ratio_(\d+?)_?(\d+)")  # omega_ratio_13, omega_ratio_1_12
 _POINT = re.compile(r"([A-Za-z])(\d+)('*)")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .catalogue import Told
 from .message import Message, message
+from .named import Told
 
 _INSTEAD = {
     Told.OK: Told.RIGHT,
