@@ -53,10 +53,7 @@ def test_wherever_the_slide_stands_both_of_its_links_see_a_spot_as_far_to_the_le
     spot: complex,
 ) -> None:
     mech = Mechanism(
-        frame={},
-        links=(Link(name="1", points={}), Link(name="2", points={"C": pin})),
-        joints=(slide,),
-        drives=(),
+        frame={}, links=(Link(name="1", points={}), Link(name="2", points={"C": pin})), joints=(slide,), drives=()
     )
     along = (slide.direction if rack_on == "1" else -slide.turn) + back * pi
     seen = pitch_lines(mech, Rack(link=rack_on, origin=origin, direction=along))
