@@ -15,7 +15,8 @@ LETTER = r"[A-Z]₁?[₀-₉]?[′']?"
 ARCS = (
     rf"以 \$({LETTER})\$、\$({LETTER})\$ 为圆心，以 \$l_(\S+)/μ_l\$、\$l_(\S+)/μ_l\$ 为半径画弧，交点为 \$({LETTER})\$",
     rf"由 \$({LETTER})\$、\$({LETTER})\$ 以 \$l_(\S+)/μ_l\$、\$l_(\S+)/μ_l\$ 得 \$({LETTER})\$",
-    rf"rcs about \$({LETTER})\$ and \$({LETTER})\$ with radii \$l_(\S+)/μ_l\$ and \$l_(\S+)/μ_l\$ \w+(?: at)? \$({LETTER})\$",
+    rf"rcs about \$({LETTER})\$ and \$({LETTER})\$ with radii \$l_(\S+)/μ_l\$ and \$l_(\S+)/μ_l\$ "
+    rf"\w+(?: at)? \$({LETTER})\$",
 )
 ARC = (
     rf"以 \$({LETTER})\$ 为圆心、\$l_(\S+)/μ_l\$ 为半径画弧，与 \$({LETTER})\$ 的导路线",
