@@ -55,3 +55,12 @@ def test_the_constant_over_the_period_is_told_with_the_cycle() -> None:
     size = constant_size(problem.mechanism, problem.loads)
     told = " ".join(words.en for words in force_sentences(cycle(problem)))
     assert f"the constant moment $M_{{d}}$ = {size:.6g} N·m" in told and size > 0
+
+
+@pytest.mark.parametrize("name", ["shaper-cut", "engine-card"])
+def test_the_period_of_a_constant_moment_is_told_in_turns_of_the_drive(name: str) -> None:
+    turn = cycle(load(name))
+    turns = round(turn.period / (2 * np.pi))
+    told = " ".join(words.en + words.zh for words in force_sentences(turn))
+    assert f"Over the period ({'one turn' if turns == 1 else f'{turns} turns'})" in told
+    assert f"一个运动周期（{'一周' if turns == 1 else f'{turns} 周'}）" in told

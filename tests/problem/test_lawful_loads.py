@@ -78,6 +78,21 @@ def test_what_contradicts_itself_is_refused_in_words_with_what_to_do(entry: str,
     assert fault.path[0] == "loads" and all(str(key) in entry for key in fault.path[1:])
 
 
+@pytest.mark.parametrize(
+    ("entry", "code"),
+    [
+        (WIDE, "no-period"),
+        (ENGINE.replace("[30, 2]", "[-3, 2]"), "contradiction"),
+        (ENGINE.replace("[0, 3]", "[-5, 3]"), "out-of-range"),
+    ],
+)
+def test_what_is_wrong_with_the_rows_of_a_table_is_told_at_its_rows_and_of_its_kind(entry: str, code: str) -> None:
+    with pytest.raises(ProblemFileError) as refused:
+        slider(entry)
+    [fault, *_] = refused.value.faults
+    assert (fault.path[-1], fault.code) == ("rows", code)
+
+
 @pytest.mark.parametrize("entry", [SPRING, MOTOR])
 def test_what_depends_on_the_speed_wants_it_as_a_number(entry: str) -> None:
     with pytest.raises(ProblemFileError, match="depends on the speed, and the input gives only its sense"):

@@ -12,6 +12,9 @@ from tests.each import each
 from tests.framed_answers import rows_in, tables_of
 from vecpoly.algebra.formula import Node, Row, plain
 from vecpoly.algebra.rounding import read_back
+from vecpoly.board.construction import View
+from vecpoly.board.place import Pane, view_of
+from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.problem.load import load, loads
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.notes import stands_still
@@ -191,6 +194,23 @@ def test_a_plate_stands_before_the_answer_and_behind_the_section_before_its_last
         isinstance(one, Plate) or (isinstance(one, SheetPage) and one.behind == 1) for one in stand[: len(homes)]
     )
     assert not any(isinstance(one, Plate) for one in stand[len(homes) :])
+
+    shown = sheets(
+        solution.construction, title=solution.problem.title, on=solution.problem.paper, plates=True, bands=False
+    )
+    begun = [max((_begun(solution, one.view, one.name) for one in sheet.figures), default=0) for sheet in shown]
+    assert homes == [max(0, max(begun[: n + 1]) - 1) for n in range(len(homes))]
+
+
+def _begun(solution: Solution, view: View, name: str) -> int:
+    """The section, from 0, whose step first draws on this figure."""
+    titles = list(dict.fromkeys(step.section.en for step in solution.construction.steps))
+    section = {step.number: titles.index(step.section.en) for step in solution.construction.steps}
+    places = [(act.head.place, act.head.step) for act in solution.construction.acts]
+    named = [(view_of(at), at.name if isinstance(at, Pane) else "", step) for at, step in places if at is not None]
+    return min(
+        (section[step] for kind, own, step in named if (kind, own) == (view, name) and step in section), default=0
+    )
 
 
 @pytest.mark.parametrize("name", ["3-7d", "3-12"])

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..board.board import Board
 from ..board.construction import View
-from ..diagram.lines import contact_of, face_line, guide_line, line_on, normal_of
+from ..diagram.lines import contact_of, guide_line, line_on, normal_of
 from ..diagram.posed import Posed
 from ..mechanism.model import FRAME, Contact, Mechanism, Prismatic, Rack, Rolling
 from ..plane import Line, Points, nominal, unit
@@ -134,10 +134,6 @@ class Diagram:
     def contact_of(self, contact: Contact) -> Points:
         """The point of contact as drawn."""
         return contact_of(self, contact)
-
-    def face_line(self, contact: Contact) -> Line:
-        """The flat face of a contact as drawn."""
-        return face_line(self, contact)
 
     def letters(self, link: str) -> tuple[str, ...]:
         """Letters of the link: its points and its rolling contacts."""

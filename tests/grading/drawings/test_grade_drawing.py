@@ -142,6 +142,19 @@ def test_missing_extra_and_doubled_lines_are_told() -> None:
     assert len(marked(key, _with(whole, whole.segments[-1])).twice) == 1
 
 
+def test_a_line_that_is_missing_is_told_whole_as_it_should_be_and_for_all_that_it_stands_for() -> None:
+    key = key_of("3-9")
+    whole = {(shape.name, edge.key): edge for shape in key.exact.shapes for edge in shape.edges}
+    for name in ("velocity:v_D", "acceleration:a_D", "velocity:v_C2B"):
+        figure, quantity = name.split(":")
+        one = marked(key, changed(drawn(key.exact), name, lambda line: None))[figure][quantity]
+        edge = whole[figure, quantity]
+        assert (one.verdict, one.length, one.direction, one.sense) == (*[Verdict.MISSING] * 3, None)
+        assert (one.own, one.should, one.tail, one.keys) == (None, edge.along, edge.a, edge.keys)
+        assert one.allowed == key.allowed[figure, quantity].mm > 0 and one.costs
+        assert one.reason.zh and one.reason.en
+
+
 APART_POLE = 300 + 0j  # where made.py has the pole of the velocity polygon
 
 
