@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from cmath import rect
+from math import sin
 
 import pytest
 
-from tests.drawn_library import drawn
+from tests.drawn_library import LIBRARY, drawn, given
+from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Arc, Disc, Point, Role, Segment
 from vecpoly.devices.balancing.rotor import Rotor
 from vecpoly.drawing.figure import drawing
+from vecpoly.methods.devices.rotor.views.along import LOW
 
 CLOSED = ("6-3a", "6-3b", "6-4", "6-7")  # two planes, masses with radii
 
@@ -55,6 +58,32 @@ def test_a_plane_seen_from_its_end_has_the_parts_of_the_masses_where_these_are_a
             mass = told.masses[number]
             assert mass.r is not None
             assert seen[f"m_{{{number}{end}}}"] == pytest.approx(rect(mass.r.si / mm, mass.at.si))
+
+
+@each(Later(lambda: [name for name in LIBRARY if _is_long_rotor(name)]))
+def test_along_the_axis_a_mass_stands_on_the_side_of_its_angle_and_one_whose_angle_is_sought_nowhere(name: str) -> None:
+    told, figure = rotor(name), drawn(name).construction.figure(View.MECHANISM)
+    assert figure is not None
+    seen, mm, left = points(figure), figure.scale.value, min(told.stations)
+    radii = [mass.r.si for mass in told.masses.values() if mass.r is not None]
+    for number, mass in told.masses.items():
+        at = next(
+            (seen[label] for label in (f"m_{{{number}}}", f"W_{{{number}}}", f"U_{{{number}}}") if label in seen), None
+        )
+        if "at" in mass.unknown:
+            assert at is None
+            assert number in seen, "its plane is there"
+            continue
+        assert at is not None and at.real == pytest.approx((mass.place - left) / mm)
+        side = sin(mass.at.si)
+        assert abs(at.imag) < 1e-6 if abs(side) < 1e-9 else at.imag * side > 0
+        if mass.r is not None and max(radii) / mm >= LOW:
+            assert at.imag == pytest.approx(mass.r.si * side / mm)
+
+
+def _is_long_rotor(name: str) -> bool:
+    device = given(name).subject
+    return isinstance(device, Rotor) and device.length > 0
 
 
 def test_a_part_that_counts_as_negative_is_drawn_as_a_ring_like_a_hole() -> None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
+import numpy as np
 import pytest
 
-from tests.drawn_library import drafted, drawn
+from tests.drawn_library import IDS, drafted, drawn
 from tests.drawn_sheets import laid
+from tests.each import Later, each
 from vecpoly.board.construction import Figure, Scale, View
-from vecpoly.board.paper.marks import Dot, Mark, Point, Role, Vector, Weld
+from vecpoly.board.paper.marks import Dot, ImageOf, Mark, Point, Role, Vector, Weld
 from vecpoly.board.paper.tones import key_of, whose
 from vecpoly.drawing.hues import ink_of, is_hollow
 from vecpoly.drawing.legend.kinds import FOUND, KINDS, KNOWN
@@ -178,6 +180,23 @@ def test_images_of_velocities_and_of_accelerations_are_shown_in_both_their_tints
         return len({item.hue for item in entry.sample if isinstance(item, Fill)})
 
     assert tints("velocity") == tints("acceleration") == 1 and tints("velocity", "acceleration") == 2
+
+
+def _width(image: tuple[complex, ...]) -> float:
+    """The least distance between two parallels that hold it (mm)."""
+    turned = np.array(image)[None, :] * np.exp(-1j * np.radians(np.arange(0.0, 180.0, 0.25)))[:, None]
+    return float(np.min(np.ptp(turned.imag, axis=1)))
+
+
+@each(Later(lambda: [name for name in IDS if _images(name)]))
+def test_images_of_links_are_explained_where_one_is_wide_enough_to_be_seen(name: str) -> None:
+    told = any(one.words.en == "image of a link" for one in entries(drawn(name).construction.figures, "en"))
+    widest = max(_width(mark.points) for mark in _images(name))
+    assert widest > 0.5 if told else widest < 4.0
+
+
+def _images(name: str) -> list[ImageOf]:
+    return [mark for figure in drawn(name).construction.figures for mark in figure.marks if isinstance(mark, ImageOf)]
 
 
 @pytest.mark.parametrize(

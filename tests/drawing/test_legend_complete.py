@@ -32,9 +32,8 @@ from vecpoly.board.paper.marks import (
     Vector,
 )
 from vecpoly.drawing.legend.circles import FINE, ROUNDS, THIN
-from vecpoly.drawing.legend.kinds import KINDS, LEAST
+from vecpoly.drawing.legend.kinds import KINDS, is_seen
 from vecpoly.drawing.legend.legend import entries
-from vecpoly.drawing.legend.met import area
 from vecpoly.drawing.legend.on_sheet import with_legend
 
 SIGNS = (AngleMark, Block, Cell, FixedGuide, Ground, LinkNumber, Note, RightAngle, Slot, TurnArrow)  # GB/T 4460, 4458
@@ -52,7 +51,7 @@ def _is_sign(figure: Figure, mark: Mark) -> bool:
         case Outline(fixed=fixed):
             return fixed
         case ImageOf(points=points):
-            return area(points) <= LEAST
+            return not is_seen(points)
         case Vector(role=Role.CONSTRUCTION) | Segment(owner="spring"):
             return True
         case (

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+import pytest
+
 from tests.drawn_library import IDS, drawn, ids
 from tests.each import Later, each
 from vecpoly.board.construction import Figure, View
@@ -143,4 +145,9 @@ def test_in_a_reduced_picture_each_block_still_stands_on_its_guide(name: str) ->
         for guide in (mark for mark in figure.marks if isinstance(mark, FixedGuide) and mark.about is not None):
             small = scaled(guide, 0.4)
             assert small.about is not None and guide.about is not None
-            assert abs(small.about - 0.4 * guide.about) + abs((small.a - small.about) - (guide.a - guide.about)) < NEAR
+            assert abs(small.about - 0.4 * guide.about) < NEAR
+            way, share = (guide.b - guide.a) / abs(guide.b - guide.a), 0.4 if guide.to_scale else 1.0
+            ends = ((guide.a, small.a), (guide.b, small.b))
+            for before, after in ((one - guide.about, other - small.about) for one, other in ends):
+                assert (after / way).imag == pytest.approx((before / way).imag, abs=NEAR)
+                assert (after / way).real == pytest.approx(share * (before / way).real, abs=NEAR)

@@ -18,6 +18,7 @@ HALF_HATCH, WIDEST = 15.0, pi / 6  # mm, rad: the hatching of a fixed rack or ge
 CHORD = 4.0  # mm: of a hatched arc
 FACE = 2.2  # mm from the pitch line to the body of a rack, to which its pins are joined
 DEEP = 7.2  # mm from the pitch line to the underside of a rack
+PAST, RUN = 5.0, 6.0  # mm by which a rack reaches past its pins; its guide past the rack, which slides along it
 RIM = 2.0  # mm from a ring to its number
 HUB, ARM = 1.3, 6.0  # mm: from the centre of a wheel to where its arms begin; a shorter arm has no room for a corner
 BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
@@ -65,22 +66,25 @@ def _welded(posed: Posed, circle: Circle, centre: complex) -> Iterator[Weld]:
 
 
 def rack_marks(posed: Posed, joint: Rolling, rack: Rack) -> Iterator[Mark]:
-    """The pitch line about the pitch point, as far as the rack's own pins; arms to pins beside it."""
+    """The pitch line about the pitch point, past the rack's own pins; arms to pins beside it; its fixed guide."""
     along = posed.axis(rack.link) * cmath.rect(1.0, rack.direction)
     foot = posed.pitch_point(joint)
     half = posed.mm(joint.gear.radius) * HALF
     pins = [] if rack.link == FRAME else posed.spots(rack.link)
     travels = [float((along.conjugate() * (p - foot)).real) for p in pins]
-    low, high = min(-half, *travels, 0.0), max(half, *travels, 0.0)
+    grounds = [posed.at[letter] for letter in posed.mech.frame if letter in posed.at]
+    free = [t for pin, t in zip(pins, travels, strict=True) if all(abs(pin - at) > BESIDE for at in grounds)]
+    past = [*travels, *(t + PAST * (1 if t > 0 else -1) for t in free)]  # not over the symbol of a fixed pivot
+    low, high = min(-half, *past, 0.0), max(half, *past, 0.0)
     a, b = foot + along * low, foot + along * high
     if joint.side != "left":
         a, b = b, a
     yield RackMark(a=a, b=b, fixed=rack.link == FRAME)
     if (slide := guided_rack(posed, rack.link)) is not None:
         middle = foot + along * float((along.conjugate() * (posed.at[slide.pin] - foot)).real)
-        under = -1j * (b - a) / abs(b - a)
-        ahead = (b - a) / abs(b - a) * HALF_HATCH
-        yield FixedGuide(a=middle - ahead + DEEP * under, b=middle + ahead + DEEP * under, about=middle)
+        ahead = (b - a) / abs(b - a)
+        under = -1j * ahead * DEEP
+        yield FixedGuide(a=a - RUN * ahead + under, b=b + RUN * ahead + under, about=middle, to_scale=True)
     for pin, travel in zip(pins, travels, strict=True):
         on_line = foot + along * travel
         if abs(pin - on_line) > BESIDE:

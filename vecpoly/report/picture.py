@@ -119,13 +119,20 @@ def _nearest(marks: Sequence[Mark]) -> float:
     return min((gap for one, other in combinations(places, 2) if (gap := abs(one - other)) > TOUCH), default=inf)
 
 
+def _guide_scaled(guide: FixedGuide, about: complex, factor: float) -> FixedGuide:
+    """As far from the block or rack as it is; along its way reduced with a rack, as long as it is beside a block."""
+    way = (guide.b - guide.a) / abs(guide.b - guide.a)
+    longer = factor - 1.0 if guide.to_scale else 0.0
+    a, b = (end + about * (factor - 1.0) + longer * ((end - about) / way).real * way for end in (guide.a, guide.b))
+    return replace(guide, a=a, b=b, about=about * factor)
+
+
 def scaled(mark: Mark, factor: float) -> Any:
     """The mark with all its places multiplied by the factor; radii of arrows and angle marks stay, and so does the way
     from a block to its guide."""
     changed: dict[str, Any] = {}
     if isinstance(mark, FixedGuide) and mark.about is not None:
-        by = mark.about * (factor - 1.0)
-        return replace(mark, a=mark.a + by, b=mark.b + by, about=mark.about + by)
+        return _guide_scaled(mark, mark.about, factor)
     for f in fields(mark):
         value = getattr(mark, f.name)
         if isinstance(value, complex) and f.name in ("a", "b", "at", "centre"):

@@ -26,12 +26,14 @@ class FixedGuide(Ink):
     """A hatched fixed guide line from a to b; the hatching lies to the right of a -> b.
 
     about: the place on paper of the block or rack that it leads; None: it stands for itself. Where a picture is
-    reduced the guide stays as far from that as it is, for the block keeps its size.
+    reduced the guide stays as far from that as it is, for the block keeps its size; to_scale: a guide as long as its
+    rack, reduced with it.
     """
 
     a: complex
     b: complex
     about: complex | None = None
+    to_scale: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

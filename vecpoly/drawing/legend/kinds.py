@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 
 from ...board.construction import Figure
 from ...board.paper.marks import (
@@ -52,7 +53,12 @@ from .met import (
 )
 from .samples import arrow, image, line, passing, pinned, welded
 
-LEAST = 8.0  # mm²: an image with a smaller area is a line
+LEAST, NARROW = 8.0, 1.0  # mm², mm: an image with a smaller area, or not as wide, is seen as a line
+
+
+def is_seen(image: Sequence[complex]) -> bool:
+    """Whether the tint of an image shows between its sides."""
+    return area(image) > LEAST and area(image) > NARROW * max(abs(a - b) for a, b in combinations(image, 2)) / 2
 
 
 def kinds_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
@@ -118,7 +124,7 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind(
         words=Words("构件的影像", "image of a link"),
-        met=lambda _, mark: isinstance(mark, ImageOf) and area(mark.points) > LEAST,
+        met=lambda _, mark: isinstance(mark, ImageOf) and is_seen(mark.points),
         sample=image,
     ),
     Kind(

@@ -13,11 +13,11 @@ from ...algebra.quantity import Quantity
 from ...board.acts import Way
 from ...board.board import Board
 from ...board.construction import Place
-from ...board.paper.marks import Dot
+from ...board.paper.marks import Dot, Role
 from ...errors import NotAskedError
 from ...plane import Points, Reals, nominal
 from ...words import Words
-from .graph import Graph
+from .graph import SAME, Graph
 from .meetings import Found, Meeting, meetings
 
 Corners = npt.NDArray[np.complex128]
@@ -53,6 +53,8 @@ def lobes_between(
     if letters and len(found.meetings) + 2 != len(letters):
         raise _unreadable(len(found.meetings) + 1, len(letters) - 1)
     ends = _ends(board, place, upper, found, letters)
+    if letters:
+        _close(board, place, upper, lower)
     signs = _signs(board, place, found, letters)
     read = []
     for n, (outline, sign) in enumerate(zip(_outlines(upper, lower, found.meetings), signs, strict=True), 1):
@@ -73,6 +75,14 @@ def _ends(board: Board, place: Place, upper: Graph, found: Found, letters: Seque
     for point, name in zip(lettered, letters, strict=True):
         board.plot(place, point, name, Dot.POINT)
     return lettered
+
+
+def _close(board: Board, place: Place, upper: Graph, lower: Graph) -> None:
+    """Where the period ends, the ordinate of both curves closes the last area, and that above the axis."""
+    ends = upper.corners[-1], lower.corners[-1]
+    low, *_, high = sorted((*ends, ends[0].real + 0j), key=lambda end: complex(nominal(end)).imag)
+    if abs(complex(nominal(high - low))) > SAME:
+        board.join(place, low, high, Role.CONSTRUCTION)
 
 
 def _unreadable(drawn: int, given: int) -> NotAskedError:

@@ -9,10 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+from numpy.polynomial import legendre
 
 from ...plane import Reals
 
-COARSE, FINE = (np.polynomial.legendre.leggauss(n) for n in (6, 10))
+COARSE, FINE = (legendre.leggauss(n) for n in (6, 10))
+ORDERS = np.arange(len(FINE[0]))
+# A row a place: the polynomial that is 1 there and 0 at the others; and, of all, ∫ from the start up to each place.
+ALONE = legendre.legvander(FINE[0], ORDERS[-1]) * FINE[1][:, None] * (ORDERS + 0.5)
+RISING = np.array([legendre.legval(FINE[0], legendre.legint(one, lbnd=-1)) for one in ALONE]).T
 NEAR, MOST = 1e-8, 40  # of the area: by how much it may change; how often a strip is halved at most
 Array = npt.NDArray[np.float64]
 
@@ -65,3 +70,9 @@ def summed(weights: Sequence[float], sizes: Sequence[Reals]) -> Reals:
     for weight, size in zip(weights, sizes, strict=True):
         total = total + weight * size
     return total
+
+
+def running(strip: Strip, sizes: Sequence[Reals]) -> list[Reals]:
+    """The area from the start of a strip up to each of its places, by every hand."""
+    half = (strip.end - strip.start) / 2
+    return [summed([half * float(share) for share in row], sizes) for row in RISING]

@@ -52,10 +52,14 @@ class Course:
         """1/|ΔM|."""
         return 1 / np.abs(self.driving(omega) - self.resisting(omega))
 
-    def cut(self, *stops: float) -> tuple[Strip, ...]:
-        """The strips of the run, with these speeds among their ends."""
-        inner = {w for w in (*self.corners, *stops) if self.low < w < self.high}
-        return strips(self.inverse, (self.low, *sorted(inner), self.high))
+    @property
+    def stops(self) -> tuple[float, ...]:
+        """The lower speed, every corner of a characteristic that is passed, the higher one."""
+        return (self.low, *sorted({w for w in self.corners if self.low < w < self.high}), self.high)
+
+    def cut(self) -> tuple[Strip, ...]:
+        """The strips of the run."""
+        return strips(self.inverse, self.stops)
 
     def total(self, to: float) -> float:
         """∫ dω/|ΔM| from the first speed to this one."""
@@ -66,13 +70,13 @@ class Course:
 
 def courses(device: RunUp) -> tuple[Course, ...]:
     """The run-up; or the run-down, and the same with the brake."""
-    load, corners = moment(device.load), _corners(device.load)
+    load, corners = moment(device.load), corners_of(device.load)
     if device.motor is not None:
         motor = moment(device.motor)
         steady = None if device.goal is not None else _steady(device, motor, load)
         goal = device.goal if steady is None else device.share * steady
         assert goal is not None
-        both = tuple(sorted({*corners, *_corners(device.motor)}))
+        both = tuple(sorted({*corners, *corners_of(device.motor)}))
         return (
             Course(
                 name="run", driving=motor, resisting=load, start=device.start.si, goal=goal, corners=both, steady=steady
@@ -99,7 +103,8 @@ def _nothing(omega: Array) -> Array:
     return np.zeros_like(omega)
 
 
-def _corners(curve: Characteristic | None) -> tuple[float, ...]:
+def corners_of(curve: Characteristic | None) -> tuple[float, ...]:
+    """The speeds at which a characteristic bends at once."""
     return curve.speeds if isinstance(curve, Measured) else ()
 
 

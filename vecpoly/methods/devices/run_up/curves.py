@@ -1,8 +1,9 @@
-"""The figures of a run: both characteristics, 1/ΔM over ω, ω over t."""
+"""The figures of the integrals of a run: 1/ΔM over ω, ω over t."""
 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from ....algebra.columns import column, decimals, significant
 from ....algebra.quantity import Quantity
 from ....algebra.rounding import to_places
-from ....board.construction import Listing, Pane, View
+from ....board.construction import Listing, Pane
 from ....board.paper.marks import Dot, Role
 from ....devices.dynamics.run_up import RunUp
 from ....errors import NotAskedError
@@ -18,78 +19,57 @@ from ....plane import Points, Reals, nominal
 from ....words import Words
 from ...diagrams.axes import Axes, draw_axes
 from ...diagrams.lobes import middle_of
-from ...diagrams.strip import root, summed
+from ...diagrams.strip import Strip, root, running, summed
 from ..bench import Bench
 from .course import Course
-from .scales import CHARACTERISTIC, INVERSE, SPEED, scales_of
-from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN, drawn, titles
+from .places import laid, pane, ticks
+from .scales import CHARACTERISTIC, INVERSE, SPEED
+from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN
 
-STATIONS, TICKS = 25, 6  # points through which a characteristic is led; ticks of an axis
-ROWS = 9  # of the table
+ROWS, ON_AXIS = 9, 1e-9  # rows of the table; mm
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Timed:
-    """An area under a curve: where it stands, what was read, what it truly is by every hand (mm²); parts of it."""
+    """An area under a curve: where it stands, what was read, what it truly is by every hand (mm²); its strips, and
+    the heights (mm) at their places."""
 
     place: Pane
     area: Quantity
     true: Reals
-    parts: tuple[Reals, ...] = ()
-
-
-def characteristics(bench: Bench, device: RunUp, course: Course) -> Pane:
-    """Both curves over the speed."""
-    board = bench.board
-    place = _pane(bench, device, course, CHARACTERISTIC)
-    board.step(drawn(course), place)
-    scale = board.scale_of(place)
-    speeds = np.union1d(np.linspace(0.0, course.last, STATIONS), [w for w in course.corners if w < course.last])
-    curves = {"M_d": course.driving(speeds), "M_r": course.resisting(speeds)}
-    if device.motor is None:
-        del curves["M_d"]
-    sizes = np.concatenate([*curves.values(), [0.0]])
-    low, high = float(np.min(sizes)) / scale.value, float(np.max(sizes)) / scale.value
-    wide = course.last / scale.right.value
-    axes = Axes(wide=wide, low=low, high=high, across="ω", up="M")
-    draw_axes(board, place, axes, _ticks(course.last, scale.right.value))
-    for symbol, moments in curves.items():
-        points = [_laid(bench, place, float(w), float(m)) for w, m in zip(speeds, moments, strict=True)]
-        if course.corners:
-            for a, b in itertools.pairwise(points):
-                board.join(place, a, b, Role.RESULT)
-        else:
-            board.curve(place, points, Role.RESULT)
-        board.plot(place, points[-3 if symbol == "M_r" else 2], symbol, Dot.NONE)
-    return place
+    strips: tuple[tuple[Strip, tuple[Reals, ...]], ...] = ()
 
 
 def inverse_curve(bench: Bench, device: RunUp, course: Course, shift: Reals) -> Timed:
     """1/ΔM over the speeds of the run, and the area below; shift: by how much the goal of every hand is beside it."""
     board = bench.board
-    place = _pane(bench, device, course, INVERSE)
+    place = pane(bench, device, course, INVERSE)
     board.step(INVERSES, place, again=INVERSES_AGAIN)
     _tabulate(bench, device, course)
-    scale, mu = board.scale_of(place), board.scale_of(_pane(bench, device, course, CHARACTERISTIC))
-    strips = course.cut()
-    parts, tops, first = [], [], _edge(bench, place, course, course.low)
-    for strip in strips:
-        heights = [_height(bench, place, course, w, mu.value) for w in strip.places]
-        feet = [w / scale.right.value for w in strip.places]
-        tops += [foot + 1j * height for foot, height in zip(feet, heights, strict=True)]
-        parts.append(summed([w / scale.right.value for w in strip.weights], heights))
-    last = _edge(bench, place, course, course.high)
-    outline = (first.real + 0j, last.real + 0j, last, *reversed(tops), first)
-    axes = Axes(wide=course.last / scale.right.value, low=0.0, high=_highest(outline), across="ω", up="y")
-    draw_axes(board, place, axes, _ticks(course.last, scale.right.value))
-    board.curve(place, [first, *tops, last], Role.RESULT)
-    board.join(place, outline[1], last, Role.CONSTRUCTION)  # the speed at the end closes the area
+    scale, mu = board.scale_of(place), board.scale_of(pane(bench, device, course, CHARACTERISTIC))
+    cut, across = course.cut(), scale.right.value
+    strips = tuple((one, tuple(_height(bench, place, course, w, mu.value) for w in one.places)) for one in cut)
+    edges = [_edge(bench, place, course, w) for w in course.stops]
+    runs = []
+    for (low, first), (high, last) in itertools.pairwise(zip(course.stops, edges, strict=True)):
+        within = [(w, y) for one, ys in strips if low <= one.start < high for w, y in zip(one.places, ys, strict=True)]
+        runs.append([first, *(w / across + 1j * y for w, y in within), last])
+    tops = [edges[0], *(point for run in runs for point in run[1:])]
+    outline = (tops[0].real + 0j, tops[-1].real + 0j, *reversed(tops))
+    axes = Axes(wide=course.last / across, low=0.0, high=_highest(outline), across="ω", up="y")
+    draw_axes(board, place, axes, ticks(course.last, across))
+    for run in runs:
+        board.curve(place, run, Role.RESULT)
+    for foot, top in ((outline[0], tops[0]), (outline[1], tops[-1])):  # both speeds close the area
+        if abs(complex(nominal(foot))) > ON_AXIS:
+            board.join(place, foot, top, Role.CONSTRUCTION)
     board.hatch(place, outline, rising=True)
     board.plot(place, middle_of(outline), "A_y", Dot.NONE)
-    true = summed([1.0] * len(parts), parts) + shift * last.imag / scale.right.value
+    parts = [summed(one.weights, ys) / across for one, ys in strips]
+    true = summed([1.0] * len(parts), parts) + shift * tops[-1].imag / across
     _refuse_no_area(course, float(nominal(shift)), float(nominal(true)))
     area = board.area(place, outline, "A_y", curved=true)
-    return Timed(place=place, area=area, true=true, parts=tuple(parts))
+    return Timed(place=place, area=area, true=true, strips=strips)
 
 
 def _refuse_no_area(course: Course, shift: float, area: float) -> None:
@@ -115,18 +95,12 @@ def speed_curve(
 ) -> tuple[Quantity | None, Timed]:
     """ω over t: the areas up to each speed are the times. The speed at a time; the area below."""
     board = bench.board
-    place = _pane(bench, device, course, SPEED)
+    place = pane(bench, device, course, SPEED)
     board.step(SPEEDS, place, again=SPEEDS_AGAIN)
-    scale, strips = board.scale_of(place), course.cut()
-    share = time.value / timed.true  # of a square millimetre of the other figure (s)
-    reached: Reals = 0.0
-    steps = list(zip(strips, timed.parts, strict=True))
-    down = course.goal < course.start
-    points = [_point(place, bench, 0.0, course.start)]
-    for strip, part in reversed(steps) if down else steps:
-        reached = reached + part * share
-        points.append(_point(place, bench, reached, strip.start if down else strip.end))
-    under = [summed(strip.weights, _weighed(bench, timed, course, device, strip.places)) for strip in strips]
+    scale = board.scale_of(place)
+    share = time.value / timed.true / board.scale_of(timed.place).right.value  # s: of a mm · rad/s of the other figure
+    points = [_point(place, bench, share * one, omega) for omega, one in _until(course, timed)]
+    under = [summed(_times(one.places, one.weights), heights) for one, heights in timed.strips]
     whole = summed([1.0] * len(under), under) * share / (scale.value * scale.right.value)
     outline = (0j, points[-1].real + 0j, *reversed(points))
     wide = float(nominal(points[-1].real))
@@ -134,7 +108,7 @@ def speed_curve(
         board,
         place,
         Axes(wide=wide, low=0.0, high=course.high / scale.value, across="t", up="ω"),
-        _ticks(wide * scale.right.value, scale.right.value),
+        ticks(wide * scale.right.value, scale.right.value),
     )
     board.curve(place, points, Role.RESULT)
     board.join(place, outline[1], points[-1], Role.CONSTRUCTION)  # the time of the run closes the area
@@ -160,11 +134,22 @@ def _then(bench: Bench, place: Pane, device: RunUp, course: Course, time: Quanti
     return board.measure(foot, point, "H P")
 
 
-def _weighed(bench: Bench, timed: Timed, course: Course, device: RunUp, speeds: tuple[float, ...]) -> list[Reals]:
-    """ω y of the other figure (mm · rad/s, over the mm of a rad/s)."""
-    scale = bench.board.scale_of(timed.place)
-    heights = course.inverse(np.array(speeds)) / scale.value
-    return [w * float(y) / scale.right.value for w, y in zip(speeds, heights, strict=True)]
+def _until(course: Course, timed: Timed) -> Iterator[tuple[float, Reals]]:
+    """Every speed at which the curve was set out, as it is reached; the area below up to there (mm · rad/s)."""
+    down = course.goal < course.start
+    yield course.start, 0.0
+    reached: Reals = 0.0
+    for strip, heights in reversed(timed.strips) if down else timed.strips:
+        part = summed(strip.weights, heights)
+        passed = list(zip(strip.places, running(strip, heights), strict=True))
+        for omega, area in reversed(passed) if down else passed:
+            yield omega, reached + (part - area if down else area)
+        reached = reached + part
+        yield (strip.start if down else strip.end), reached
+
+
+def _times(places: Sequence[float], weights: Sequence[float]) -> list[float]:
+    return [place * weight for place, weight in zip(places, weights, strict=True)]
 
 
 def _height(bench: Bench, place: Pane, course: Course, omega: float, mu: float) -> Reals:
@@ -176,13 +161,7 @@ def _height(bench: Bench, place: Pane, course: Course, omega: float, mu: float) 
 
 def _edge(bench: Bench, place: Pane, course: Course, omega: float) -> Points:
     height = float(course.inverse(np.array([omega]))[0])
-    return _laid(bench, place, omega, height)
-
-
-def _laid(bench: Bench, place: Pane, across: float, up: float) -> Points:
-    board = bench.board
-    foot = board.lay_off(0j, 1 + 0j, board.to_paper_across(place, across))
-    return board.lay_off(foot, 1j, board.to_paper(place, up))
+    return laid(bench, place, omega, height)
 
 
 def _point(place: Pane, bench: Bench, time: Reals, omega: float) -> Points:
@@ -206,15 +185,3 @@ def _tabulate(bench: Bench, device: RunUp, course: Course) -> None:
     kept = [k for k in range(len(HEAD)) if device.motor is not None or k != DRIVING]
     rows = tuple(zip(*(columns[k] for k in kept), strict=True))
     bench.board.tabulate(Listing(head=tuple(HEAD[k] for k in kept), rows=rows, blocks=1))
-
-
-def _ticks(most: float, mu: float) -> list[tuple[float, str]]:
-    """Round values along an axis."""
-    power = 10.0 ** np.floor(np.log10(most / TICKS))
-    step = next(power * one for one in (1, 2, 5, 10) if power * one >= most / TICKS * 0.999)
-    return [(step * n / mu, f"{step * n:.6g}") for n in range(1, int(most / step + 1e-9) + 1)]
-
-
-def _pane(bench: Bench, device: RunUp, course: Course, view: View) -> Pane:
-    scale = None if course.name in ("run", "free") else scales_of(course, device)[view]
-    return bench.board.open_pane(view, course.name, titles(view, course.name), scale)

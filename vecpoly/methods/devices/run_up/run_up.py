@@ -15,8 +15,9 @@ from ....plane import Points, Reals
 from ....words import Words
 from ..bench import Bench
 from ..registry import device_method
+from .characteristics import characteristics
 from .course import Course, courses
-from .curves import characteristics, inverse_curve, speed_curve
+from .curves import inverse_curve, speed_curve
 from .scales import run_scales
 from .words import SECTIONS, goal, steady
 

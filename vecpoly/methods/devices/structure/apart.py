@@ -37,7 +37,7 @@ def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[s
             ),
             left,
         )
-        draw_apart(board, left, device, low.chain, drivers, left=low.chain.links, frame=True)
+        draw_apart(board, left, device, low.chain, drivers, frame=True)
     _class(bench, taken, drivers)
 
 

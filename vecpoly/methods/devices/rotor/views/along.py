@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi, sin
+from math import sin
 
 from .....board.construction import View
 from .....board.paper.marks import Dot, Role
@@ -31,10 +31,10 @@ def along(bench: Bench, rotor: Rotor) -> None:
         Words(
             "按 $μ_l$ 画出转子的轴向简图：各质量和校正平面的轴向位置"
             + ("，半径方向取投影 $r sin θ$" if true else "（半径方向不按比例）")
-            + ("；方位待求的质量向上画出。" if sought else "。"),
+            + ("；方位待求的质量只画其所在平面。" if sought else "。"),
             "Draw the rotor along its axis to the scale $μ_l$: the planes of the masses and those of the correction"
             + (", radially the projections $r sin θ$" if true else " (radial dimensions not to scale)")
-            + ("; masses whose direction is sought are drawn upwards." if sought else "."),
+            + ("; of a mass whose direction is sought its plane alone." if sought else "."),
         ),
         View.MECHANISM,
     )
@@ -42,8 +42,9 @@ def along(bench: Bench, rotor: Rotor) -> None:
     for body in rotor.bodies:
         _body(bench, rotor, body)
     for name, mass in rotor.masses.items():
-        turn = pi / 2 if "at" in mass.unknown else mass.at.si
-        high = _arm(bench, rotor, None if mass.r is None else mass.r.si) * sin(turn)
+        if "at" in mass.unknown:
+            continue  # it stands nowhere yet
+        high = _arm(bench, rotor, None if mass.r is None else mass.r.si) * sin(mass.at.si)
         _mass_beside(bench, name, _foot(bench, rotor, mass.place), high, mass, product_of(name, rotor.weighing).symbol)
     for name, plane in rotor.correct.items():
         _plane(bench, rotor, plane.at, name, Role.HIDDEN)
