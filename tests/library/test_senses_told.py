@@ -52,12 +52,11 @@ def test_a_load_told_clockwise_has_the_direction_that_stands_in_the_table() -> N
 
 
 def test_an_equivalent_moment_is_computed_as_a_size_and_is_said_to_be_one() -> None:
-    """−P/ω_1 is no sum of powers over ω_1: the resisting moment's size, whose sense the sum tells."""
+    """The size is |ΣP|/ω_1 by the rule and by its line, and the sense is that of the sum."""
     (told,) = [step for step in drawn("7-1").construction.steps if "功率等效：$M_{e}$" in step.words.zh]
     assert "$M_{e}$ 的大小等于" in told.words.zh and "为顺时针方向" in told.words.zh
-    assert "its magnitude is that sum divided by $ω_1$" in told.words.en and plain(told.formulas[-1]).endswith(
-        ("= 50 N·m", "= 50.0 N·m")
-    )
+    assert "its magnitude is $|ΣP|/ω_1$" in told.words.en
+    assert re.fullmatch(r"M_e = \(\|P_F5\|\)/\(ω_1\) = \(500\)/\(10\) = 50(\.0)? N·m", plain(told.formulas[-1]))
 
 
 def test_an_equivalent_force_is_a_size_that_acts_along_or_against_the_motion_as_a_moment_has_its_sense() -> None:

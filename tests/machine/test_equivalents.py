@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from textwrap import dedent
 
@@ -185,3 +186,27 @@ def test_equivalents_of_a_rocker_that_just_turns_back_are_nothing_and_no_contrad
     assert 0.0 < abs(answers["M_e"].exact) < 1e-7
     assert [one.drawn for one in answers.values()] == [0.0, 0.0]
     assert not any(one.suspect for one in answers.values())
+
+
+CLOCKWISE = engine(KEYS, omega="10 rad/s cw", loads=LOADS)
+
+
+@pytest.mark.parametrize("name", ["7-1", "7-2b", "press-flywheel", "shaper-flywheel", "clockwise"])
+def test_what_acts_on_the_equivalent_link_is_the_size_of_the_sum_of_powers_over_its_motion(name: str) -> None:
+    """One rule in every step: no line turns the sum round, −P/ω here and +ΣP/ω there."""
+    solution = exactly(CLOCKWISE if name == "clockwise" else vecpoly.load(name))
+    lines = [plain(line) for step in solution.construction.steps for line in step.formulas]
+    keys = [key for key in solution.answers if key.startswith(("M_e", "F_e"))]
+    assert keys
+    for key in keys:
+        ((_, sums, *numbers),) = [line.split(" = ") for line in lines if line.startswith(f"{key} = ")]
+        assert re.match(r"\(\|(ΣP|P_\w+)\|\)/", sums) and not any("−" in one for one in numbers), (sums, numbers)
+
+
+@pytest.mark.parametrize("name", ["7-1", "clockwise"])
+def test_the_rule_of_the_powers_is_one_and_says_once_how_velocities_are_measured(name: str) -> None:
+    solution = exactly(CLOCKWISE if name == "clockwise" else vecpoly.load(name))
+    rules = [step.words for step in solution.construction.steps if "功率等效" in step.words.zh]
+    assert len(rules) == 2 and all("由 $ΣP$ 的正负判定" in one.zh and "$|ΣP|/" in one.en for one in rules)
+    every = "".join(step.words.zh for step in solution.construction.steps)
+    assert every.count("由速度多边形量得") == 2, "the ratios of J_e, and the velocities along the forces"

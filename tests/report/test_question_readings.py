@@ -10,9 +10,11 @@ import pytest
 from tests.drawn_library import IDS, drawn
 from tests.each import Later, each
 from tests.laws import few
+from vecpoly.board.acts import LayOff
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import Arc, Dot, Note, Outline, Point, Segment, Vector
+from vecpoly.board.place import Pane, called
 from vecpoly.drawing.sheets.sheet import Hung
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.report.question.blanks import empty_table
@@ -48,6 +50,28 @@ def test_a_length_that_is_asked_is_read_on_a_line_with_its_name_and_brought_to_i
     asked_for = [(f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "m") for bar in ("AB", "CD", "AD")]
     assert told(frame) == [text for one in asked_for for text in one], "μ_l is in m/mm"
     assert len(rules(frame)) == 6
+
+
+@each(Later(lambda: ["pin-in-two-slots", "3-14", *DRAWN]))
+def test_what_is_computed_and_laid_off_has_its_value_before_its_length(name: str) -> None:
+    """A Coriolis acceleration is 2 ω v, and laid off as a^k/μ_a: nothing of it is measured. All else is read first."""
+    construction = drawn(name).construction
+    for frame in blank_of(name)[0].figures:
+        place = called(Pane(frame.view, frame.name) if frame.name else frame.view)
+        laid = {act.key for act in construction.acts if isinstance(act, LayOff) and act.figure == place}
+        texts = told(frame)
+        for key, one in construction.readings.items():
+            if (symbol := f"${one.symbol}$ =") in texts and one.mm is not None:
+                first, last = texts[(at := texts.index(symbol) + 1) : at + 2]
+                assert (last if key in laid else first).startswith("mm ×"), (key, first, last)
+
+
+def test_a_line_names_a_length_by_its_letters_where_more_than_a_scale_brings_it_to_its_value() -> None:
+    """v_C = ω_2 μ_l P_24C: it is P_24C that is measured. F_I2 = m_2 a_S2 has no length beside that of a_S2."""
+    (frame, *_) = blank_of("3-2")[0].figures
+    assert {"$P_{24} C$ =", "$P_{24} E_2$ ="} <= set(told(frame))
+    lines = [text for one in blank_of("slider-crank-dynamic")[0].figures for text in told(one)]
+    assert "$a_{S2}$ =" in lines and not any("F_{I" in text for text in lines)
 
 
 def test_an_angle_that_is_asked_has_its_degrees_and_no_scale() -> None:

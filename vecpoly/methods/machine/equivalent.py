@@ -12,7 +12,7 @@ from ...board.construction import Listing, View
 from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Mass
 from ...names import At, omega, written_unit
-from ...plane import Reals, nominal
+from ...plane import nominal
 from ...words import Words
 from ..desk import POLE
 from ..forces.balance.power_terms import works
@@ -27,6 +27,11 @@ from .motion_of import Motion, motion_of
 
 _SOURCE = "机械原理, equivalent link: its kinetic energy and its power are those of the whole machine"
 _Values = tuple[float, ...]
+RATIOS = Words("只用到速度比", "only ratios of velocities enter")
+MEASURED = Words(
+    "作用点的速度沿力方向的分量由速度多边形量得。",
+    "The component of each velocity along its force is measured on the polygon.",
+)
 _FIGURES = 5  # of the largest number of a column: small ratios keep some
 
 
@@ -65,17 +70,27 @@ def _reduce(st: Statics, to: Equivalent) -> None:
 
 
 def _say(st: Statics, to: Equivalent) -> None:
+    """The rule of J_e, in full where it is used first."""
     link, stem = st.mech.number(to.link), "v" if to.slide else "ω"
-    st.board.step(
-        Words(
+    if _is_told(st, RATIOS):
+        words = Words(
+            f"再取构件 {link} 为等效构件，同样由动能等效求 ${to.inertia.symbol}$：",
+            f"Now link {link} is the equivalent link; its kinetic energy gives ${to.inertia.symbol}$ in the same way:",
+        )
+    else:
+        words = Words(
             f"取构件 {link} 为等效构件。动能等效：${to.inertia.symbol}$ = Σ[$m_i$ ($v_{{Si}}/{stem}$)² + $J_{{Si}}$ "
-            f"($ω_i/{stem}$)²]，只用到速度比，与 ${stem}$ 的大小无关；各速度由速度多边形量得。",
+            f"($ω_i/{stem}$)²]，{RATIOS.zh}，与 ${stem}$ 的大小无关；各速度由速度多边形量得。",
             f"Link {link} is the equivalent link. Its kinetic energy equals that of all the links: "
-            f"${to.inertia.symbol}$ = Σ[$m_i$ ($v_{{Si}}/{stem}$)² + $J_{{Si}}$ ($ω_i/{stem}$)²]; only ratios of "
-            f"velocities enter, so the value of ${stem}$ does not matter. The velocities are measured on the polygon.",
-        ),
-        View.VELOCITY,
-    )
+            f"${to.inertia.symbol}$ = Σ[$m_i$ ($v_{{Si}}/{stem}$)² + $J_{{Si}}$ ($ω_i/{stem}$)²]; {RATIOS.en}, so the "
+            f"value of ${stem}$ does not matter. The velocities are measured on the polygon.",
+        )
+    st.board.step(words, View.VELOCITY)
+
+
+def _is_told(st: Statics, words: Words) -> bool:
+    """Whether a step has said so already."""
+    return any(words.zh in step.words.zh for step in st.board.steps)
 
 
 def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
@@ -169,24 +184,25 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
         keep_nothing(st, to.load)
         return
     st.board.step(_of_power(to.load.symbol, moved.symbol, force=to.slide), View.VELOCITY)
+    if not _is_told(st, MEASURED):
+        st.board.remark(MEASURED)
     parts = [written_power(st, work) for work in given]
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
         keep_nothing(st, to.load)
         return
-    total = sum((part.value for part in parts), np.zeros(()))
-    _keep_load(st, to, moved, moving, total / (moved.size.value * moved.sign))
+    _keep_load(st, to, moved, moving)
 
 
 def _of_power(load: str, speed: str, *, force: bool) -> Words:
-    """What is computed: the size of a force or of a moment, whose way is told apart."""
+    """The rule: the size of a force or of a moment is computed, and its way is told by the sign of the sum."""
     way = Words("指向", "its direction") if force else Words("转向", "its sense")
+    kind = "force" if force else "moment"
     return Words(
-        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和的绝对值除以 ${speed}$，{way.zh}由该和的"
-        "正负判定。作用点的速度沿力方向的分量由速度多边形量得。",
-        f"The power of ${load}$ equals the sum of the powers $F v cos α$ and $M ω$ of all forces and moments: its "
-        f"magnitude is that sum divided by ${speed}$, and the sign of the sum determines {way.en}. The component of "
-        "each velocity along its force is measured on the polygon.",
+        f"功率等效：${load}$ 的大小等于各力（矩）的功率 $F v cos α$、$M ω$ 之和 $ΣP$ 的绝对值除以 ${speed}$，"
+        f"{way.zh}由 $ΣP$ 的正负判定。",
+        f"The {kind} ${load}$ has the power $ΣP$, the sum of the powers $F v cos α$ and $M ω$ of all forces and "
+        f"moments: its magnitude is $|ΣP|/{speed}$, and the sign of $ΣP$ determines {way.en}. ",
     )
 
 
@@ -198,22 +214,22 @@ def _along(load: str, speed: str, along: bool) -> Words:
         else (Words("负", "negative"), Words("反向", "against"))
     )
     return Words(
-        f"各功率之和为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
-        f" The powers sum to a {sign.en} value, so ${load}$ acts {way.en} ${speed}$:",
+        f"$ΣP$ 为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
+        f" $ΣP$ is {sign.en}, so ${load}$ acts {way.en} ${speed}$:",
     )
 
 
-def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity], value: Reals) -> None:
-    """The size of F_e or M_e, and which way it acts or turns."""
-    named, sense = to.load, int(np.sign(nominal(value)))
-    way = 1
+def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity]) -> None:
+    """The size of F_e or M_e, |ΣP| over the motion, and which way it acts or turns."""
+    named, every = to.load, Sum(tuple(moving), (1,) * len(moving))
+    value = every.value / (moved.size.value * moved.sign)
+    sense, along = int(np.sign(nominal(value))), nominal(every.value) > 0
     if to.slide and sense:
-        way = sense
-        st.board.remark(_along(named.symbol, moved.symbol, sense > 0))
+        st.board.remark(_along(named.symbol, moved.symbol, along))
     elif sense:
-        way = sense * int(nominal(moved.sign))
         powers = Words("各功率", "The powers")
-        st.board.remark(told_by_powers(powers, way > 0, (named.symbol, moved.symbol), sense, along=way > 0))
-    expr = Sum(tuple(moving), (way,) * len(moving)) / moved.size
-    st.board.compute(named.symbol, expr, named.unit)
-    keep_value(st, named, value, expr)
+        st.board.remark(told_by_powers(powers, along, (named.symbol, moved.symbol), sense, along=along))
+    total = moving[0] if len(moving) == 1 else st.board.compute("ΣP", every, "W")
+    size = Quantity(Row((Txt("|"), total.node, Txt("|"))), np.abs(total.value), "W")
+    st.board.compute(named.symbol, size / moved.size, named.unit)
+    keep_value(st, named, value, size / moved.size)

@@ -1,5 +1,6 @@
 """The lines for what is read off a figure: one with its name for each quantity that is asked, l_AB = ___ mm × μ_l =
-___ m, for μ_l is in m/mm; where there is no room for that the length on paper alone, then none: the results have a
+___ m, for μ_l is in m/mm; of what is computed and then laid off, as a Coriolis acceleration, the other way round,
+a^k = ___ m/s² = ___ mm × μ_a; where there is no room for that the length on paper alone, then none: the results have a
 table. What is read on the way has its place there, or in the squares."""
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from enum import IntEnum
 from math import ceil
 from typing import NamedTuple
 
-from ....board.acts import Act, Answer, Area, Compute, Gauge, Measure
+from ....board.acts import Act, Answer, Area, Compute, Gauge, LayOff, Measure
 from ....board.construction import Construction, Figure, Reading
 from ....board.paper.marks import Mark, Note, Role, Segment
 from ....board.place import Pane, called
@@ -40,23 +41,27 @@ class Form(IntEnum):
 
 class Blank(NamedTuple):
     """A quantity to be read: its symbol, the unit in which it is read off the paper; μ and unit of its value, of a
-    length that is brought to its value by a scale alone; placed: a place, of which both coordinates are read."""
+    length that is brought to its value by a scale alone; placed: a place, of which both coordinates are read; laid:
+    whether its value is computed and its length laid off."""
 
     symbol: str
     paper: str
     scale: str = ""
     unit: str = ""
     placed: bool = False
+    laid: bool = False
 
     def texts(self, form: Form) -> tuple[str, ...]:
         """What stands before each room for a number, and behind the last."""
         if self.placed:
             return f"${self.symbol}$: $x$ =", "$y$ =", self.paper
+        if form is Form.WHOLE and self.scale and self.laid:
+            return f"${self.symbol}$ =", f"{self.unit} =", f"{self.paper} × ${self.scale}$"
         if form is Form.WHOLE and self.scale:
             return f"${self.symbol}$ =", f"{self.paper} × ${self.scale}$ =", self.unit
         if self.paper == _DEGREE:
             return f"${self.symbol}$ =", self.paper
-        return f"${self.symbol}/{self.scale}$ =" if self.scale else f"${self.symbol}$:", self.paper
+        return f"${self.symbol}/{self.scale}$ =" if self.scale else f"${self.symbol}$ =", self.paper
 
 
 class Readings(NamedTuple):
@@ -118,6 +123,8 @@ def _asked(construction: Construction, figure: Figure) -> Iterator[Blank]:
     the figure is its own."""
     written = {act.key: act for act in construction.acts if isinstance(act, Answer)}
     place, like = _place(figure), [one for one in construction.figures if one.scale.symbol == figure.scale.symbol]
+    laid = {act.key for act in construction.acts if isinstance(act, LayOff) and act.figure == place}
+    plainly = {one.line for one in construction.readings.values() if not one.factor}  # F_I2 = m_2 a_S2 is no length
     more = further(construction.readings) if doubtful(figure.title) == figure.title else ()
     for key, one in ((key, one) for key, one in construction.readings.items() if key not in more):
         kind = Gauge if one.mm is None else Measure
@@ -126,7 +133,8 @@ def _asked(construction: Construction, figure: Figure) -> Iterator[Blank]:
             if place in {_read_on(written.get(key), construction.acts, sort) for sort in (Measure, Gauge)}:
                 yield Blank(one.symbol.removesuffix(AWAY), "mm", placed=True)
         elif one.mm is not None and one.scale == figure.scale.symbol and (here or len(like) == 1):
-            yield _length(one)
+            if not one.factor or one.line not in plainly:
+                yield _length(one, laid=key in laid)
         elif one.mm is None and one.unit == "deg" and here:
             yield Blank(one.symbol, _DEGREE)
 
@@ -136,9 +144,12 @@ def _is_place(one: Reading) -> bool:
     return one.mm is None and ((one.unit == "m" and one.vector is not None) or one.symbol.endswith(AWAY))
 
 
-def _length(one: Reading) -> Blank:
+def _length(one: Reading, *, laid: bool) -> Blank:
+    """A length times more than a scale, v_C = ω_2 μ_l P_24C, is asked by its own letters."""
+    if one.factor:
+        return Blank(one.line, "mm")
     unit = printed_unit(one.unit)[1]
-    return Blank(one.symbol, "mm", "" if one.factor else one.scale, _UNITS.get(unit, unit))
+    return Blank(one.symbol, "mm", one.scale, _UNITS.get(unit, unit), laid=laid and bool(one.scale))
 
 
 def _read_on(answer: Answer | None, acts: Sequence[Act], with_: type[Gauge | Measure]) -> str:
