@@ -11,6 +11,7 @@ from vecpoly.errors import ProblemFileError
 from vecpoly.problem.editors import json_schema
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
+from vecpoly.problem.schema.faults import Path
 from vecpoly.problem.text.chinese import joint
 from vecpoly.problem.text.respelled import _Speller
 from vecpoly.solution import solve
@@ -165,7 +166,9 @@ def test_the_n_of_a_device_stays_its_own() -> None:
 
 def test_greek_is_spelt_out_where_a_quantity_is_named_and_nowhere_else() -> None:
     speller = _Speller(["O₁"], {})
-    for path in (("find", 0), ("printed", 0, "symbol")):
+    named: list[Path] = [("find", 0), ("printed", 0, "symbol")]
+    others: list[Path] = [("printed", 0, "value"), ("links", "1", "angle"), ("loads", "M_1", "direction")]
+    for path in named:
         assert speller.value("φ_1", path) == "phi_1" and speller.value("η", path) == "eta", path
-    for path in (("printed", 0, "value"), ("links", "1", "angle"), ("loads", "M_1", "direction")):
+    for path in others:
         assert speller.value("η from O1A", path) == "η from O₁A", path
