@@ -40,13 +40,19 @@ class Paper:
     texts: list[Piece] = field(default_factory=list)
     rules: list[tuple[float, float, float, float]] = field(default_factory=list)
     calls: list[tuple[str, tuple[Any, ...]]] = field(default_factory=list)
+    told: list[tuple[str, dict[str, Any]]] = field(default_factory=list)  # what calls were given by name
     _code: list[str] = field(default_factory=list)
     _pagesize: tuple[float, float] = (210 * MM, 297 * MM)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
-        return lambda *args, **_: self.calls.append((name, args))
+
+        def noted(*args: Any, **named: Any) -> None:
+            self.calls.append((name, args))
+            self.told.append((name, named))
+
+        return noted
 
     def absolutePosition(self, x: float, y: float) -> tuple[float, float]:
         """The block stands at the corner of the page."""

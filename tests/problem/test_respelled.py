@@ -11,7 +11,9 @@ from vecpoly.errors import ProblemFileError
 from vecpoly.problem.editors import json_schema
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
+from vecpoly.problem.schema.faults import Path
 from vecpoly.problem.text.chinese import joint
+from vecpoly.problem.text.respelled import _Speller
 from vecpoly.solution import solve
 from vecpoly.typeset.layout import layout
 
@@ -160,3 +162,13 @@ def test_masses_angles_and_answers_have_the_symbols_of_the_textbook() -> None:
 def test_the_n_of_a_device_stays_its_own() -> None:
     text = load("7-6").text.replace("id: 7-6", "id: x")
     assert [one.name for one in loads(text + "\nvary: {n: 900 r/min .. 1100 r/min by 100 r/min}\n").ranges] == ["n"]
+
+
+def test_greek_is_spelt_out_where_a_quantity_is_named_and_nowhere_else() -> None:
+    speller = _Speller(["O₁"], {})
+    named: list[Path] = [("find", 0), ("printed", 0, "symbol")]
+    others: list[Path] = [("printed", 0, "value"), ("links", "1", "angle"), ("loads", "M_1", "direction")]
+    for path in named:
+        assert speller.value("φ_1", path) == "phi_1" and speller.value("η", path) == "eta", path
+    for path in others:
+        assert speller.value("η from O1A", path) == "η from O₁A", path

@@ -427,6 +427,7 @@ def test_a_verdict_has_the_colour_of_its_kind_and_its_text_within() -> None:
         grounds[kind] = bar
         assert all(0.92 < part <= 1.0 for part in ground) and min(ground) < 1.0
         assert paper.called("rect") == [(0.0, 0.0, 300, block.height), (0.0, 0.0, 2.4, block.height)]
+        assert [named for call, named in paper.told if call == "rect"] == [{"stroke": 0, "fill": 1}] * 2, "no edges"
         assert drawn == [(11.0, 3.5)] and block._para.width == 300 - 18 and block.height == block._para.height + 7
     assert (
         len(set(grounds.values())) == 4

@@ -11,7 +11,7 @@ from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.groups.assur import Dyad
 from ....mechanism.model import Prismatic
-from ....plane import Points, Reals, nominal
+from ....plane import Points, Reals, nominal, unit
 from ....words import Words
 from ..acting import Acting, Drawn
 from ..bodies.arrows import REACH
@@ -138,6 +138,7 @@ def _leave(st: Statics, links: tuple[str, ...], by: str, on: str, pin: Points, a
         return
     if away > SHORT:
         st.board.join(pane, pin, at, Role.CONSTRUCTION)
+        st.board.right_angle(pane, at, unit(pin - at), _along(vector))
         st.board.plot(pane, (pin + at) / 2, f"h_{{{st.mech.number(by)}{st.mech.number(on)}}}", Dot.NONE)
     if {by, on} <= set(links):
         u, named = _along(vector), st.named(by, on)

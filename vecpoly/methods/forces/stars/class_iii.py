@@ -13,7 +13,7 @@ from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.groups.assur import Group, ends
 from ....mechanism.model import Prismatic
-from ....plane import Points, cross, foot, nominal
+from ....plane import Points, cross, foot, nominal, unit
 from ....words import Words
 from ...kinematics.class_iii.special import special_of
 from ...kinematics.class_iii.star import Star, star_of
@@ -110,6 +110,7 @@ def _along_axis(
 def _draw_arm(st: Statics, pane: Pane, place: Points, end: Points, symbol: str) -> None:
     if max(abs(nominal(end)), abs(nominal(place))) < REACH and abs(nominal(end - place)) > SHORT:
         st.board.join(pane, place, end, Role.CONSTRUCTION)
+        st.board.right_angle(pane, end, unit(place - end), 1j * unit(end - place))
         st.board.plot(pane, (place + end) / 2, symbol, Dot.NONE)
 
 

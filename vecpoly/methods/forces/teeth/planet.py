@@ -87,7 +87,7 @@ def _teeth(st: Statics, one: Carried, across: Reaction, pair: tuple[Mesh, Mesh])
     end, symbol = foot(Line(h, along), k), arm_about_point(named.symbol, other.teeth.point)
     arm = st.board.mu(View.MECHANISM) * st.board.measure(k, end, symbol)
     size = st.board.compute(named.symbol, turning.size / arm, "N")
-    _draw_arm(st, one, k, end, symbol)
+    _draw_arm(st, one, (k, h), end, symbol)
     st.settle(mesh.by, one.planet, along * st.mm(size.value), h, computed=size.value)
 
 
@@ -110,10 +110,13 @@ def _pressing(st: Statics, mesh: Mesh, h: Points, way: Points) -> Points:
     return pressed
 
 
-def _draw_arm(st: Statics, one: Carried, place: Points, end: Points, symbol: str) -> None:
-    pane = group_pane(st, *one.links)
+def _draw_arm(st: Statics, one: Carried, where: tuple[Points, Points], end: Points, symbol: str) -> None:
+    """From the point of moments to the line of action, which runs through the pitch point."""
+    pane, (place, pitch) = group_pane(st, *one.links), where
     if abs(nominal(end - place)) > SHORT:
         st.board.join(pane, place, end, Role.CONSTRUCTION)
+        st.board.join(pane, pitch, end, Role.DIRECTION)
+        st.board.right_angle(pane, end, unit(place - end), 1j * unit(end - place))
         st.board.plot(pane, (place + end) / 2, symbol, Dot.NONE)
 
 
