@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import degrees
+from math import ceil, degrees
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from .words.motion import how_drawn, shocks
 BEYOND, TICK = 8.0, 8.0  # mm: the axes run on; marks under the ends of pieces
 ROOM, DIGITS = 8.0, 5.4  # mm from station to station for all to be numbered; that their numbers take below the axis
 
+SAME, FEWEST = 1e-9, 12  # rad; places through which the curve of a piece is led
 BELOW = -1j  # numbers of an axis stand under it, on one line
 
 
@@ -102,13 +103,25 @@ def _numbers(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) ->
 
 
 def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
-    """A smooth curve through the stations of every piece; it ends where the next begins."""
+    """A smooth curve through the stations of every piece, and between them where they are few; it ends where the next
+    begins."""
     board = bench.board
     for piece in cam.pieces:
         scratch = trial_board(board)
-        ends = [lift(scratch, place, piece, phi).point for phi in (piece.start, piece.end)]
-        inner = [s.lift.point for s in found if piece.start + 1e-9 < s.phi < piece.end - 1e-9]
-        board.curve(place, [ends[0], *inner, ends[1]], Role.RESULT)
+        inner = [s for s in found if piece.start + SAME < s.phi < piece.end - SAME]
+        stops = [piece.start, *(s.phi for s in inner), piece.end]
+        known = {s.phi: s.lift.point for s in inner}
+        angles = [phi for a, b in pairwise(stops) for phi in np.linspace(a, b, _parts(piece, a, b), endpoint=False)]
+        points = [
+            known[phi] if phi in known else lift(scratch, place, piece, phi).point
+            for phi in map(float, [*angles, piece.end])
+        ]
+        board.curve(place, points, Role.RESULT)
+
+
+def _parts(piece: Piece, a: float, b: float) -> int:
+    """Into how many parts the way between two stations is cut, so that a piece has FEWEST at least."""
+    return max(ceil(FEWEST * (b - a) / piece.angle - SAME), 1)
 
 
 def _read(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
