@@ -21,7 +21,7 @@ from vecpoly.devices.base import Device
 from vecpoly.devices.dynamics.characteristic import Kloss
 from vecpoly.errors import NotAskedError
 from vecpoly.figures import View
-from vecpoly.figures.characteristic import INVERSE, SPEED
+from vecpoly.figures.characteristic import CHARACTERISTIC, INVERSE, SPEED
 from vecpoly.methods.diagrams.strip import root, strips
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.load import load
@@ -251,3 +251,11 @@ def test_a_small_machine_and_a_slow_one_are_drawn_as_large_as_others(moment: flo
         return [mark.b for figure in figures for mark in figure.marks if isinstance(mark, Segment)]
 
     assert curves(moment, time) == pytest.approx(curves(1.0, 1.0), abs=1e-6)
+
+
+def test_what_slows_a_braked_machine_is_called_resistance_and_brake_and_not_resistance_alone() -> None:
+    figures = [one for one in drawn("run-down").construction.figures if one.view is CHARACTERISTIC]
+    letters = [{mark.label for mark in one.marks if isinstance(mark, Point)} for one in figures]
+    tables = [step.listing for step in drawn("run-down").construction.steps if step.listing is not None]
+    for sign, there, table in zip(("M_r", "M_r + M_b"), letters, tables, strict=True):
+        assert {one for one in there if one.startswith("M_")} == {sign} and f"${sign}$" in table.head[1].en

@@ -15,7 +15,7 @@ from ..bench import Bench
 from .course import Array, Course, Moment, corners_of
 from .places import laid, pane, ticks
 from .scales import CHARACTERISTIC
-from .words import drawn
+from .words import drawn, resisting
 
 NAMED = {"M_d": 1 / 12, "M_r": 11 / 12}  # of the last speed: where the letter of a curve stands
 
@@ -35,13 +35,14 @@ def characteristics(bench: Bench, device: RunUp, course: Course) -> Pane:
         wide=last / scale.right.value, low=min(sizes) / scale.value, high=max(sizes) / scale.value, across="ω", up="M"
     )
     draw_axes(board, place, axes, ticks(last, scale.right.value))
+    named = {"M_d": "M_d", "M_r": resisting(course)}
     for symbol, (moment, _) in curves.items():
         for run in runs[symbol]:
             points = [laid(bench, place, w, m) for w, m in zip(run.tolist(), moment(run).tolist(), strict=True)]
             board.curve(place, points, Role.RESULT)
         speeds = np.unique(np.concatenate(runs[symbol]))
         at = speeds[np.argmin(np.abs(speeds - NAMED[symbol] * last))]
-        board.plot(place, laid(bench, place, float(at), float(moment(at[None])[0])), symbol, Dot.NONE)
+        board.plot(place, laid(bench, place, float(at), float(moment(at[None])[0])), named[symbol], Dot.NONE)
     return place
 
 

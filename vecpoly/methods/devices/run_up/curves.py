@@ -24,7 +24,7 @@ from ..bench import Bench
 from .course import Course
 from .places import laid, pane, ticks
 from .scales import CHARACTERISTIC, INVERSE, SPEED
-from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN
+from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN, head
 
 ROWS, ON_AXIS = 9, 1e-9  # rows of the table; mm
 
@@ -184,4 +184,4 @@ def _tabulate(bench: Bench, device: RunUp, course: Course) -> None:
     columns.append(tuple(significant(value) for value in course.inverse(omega).tolist()))
     kept = [k for k in range(len(HEAD)) if device.motor is not None or k != DRIVING]
     rows = tuple(zip(*(columns[k] for k in kept), strict=True))
-    bench.board.tabulate(Listing(head=tuple(HEAD[k] for k in kept), rows=rows, blocks=1))
+    bench.board.tabulate(Listing(head=tuple(head(course)[k] for k in kept), rows=rows, blocks=1))

@@ -21,7 +21,7 @@ HEAD = (
     Words.same("$ΔM$ /(N·m)"),
     Words.same("$1/|ΔM|$ /(N·m)^{−1}"),
 )
-DRIVING = 1  # the column of M_d
+DRIVING, RESISTING = 1, 2  # the columns of M_d and M_r
 INVERSES = Words(
     "由 $J dω/dt = ΔM$ 得 $t = J ∫ dω/ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，线下的面积即为所求的积分，"
     "量得：",
@@ -43,6 +43,16 @@ SPEEDS_AGAIN = Words(
 )
 
 
+def resisting(course: Course) -> str:
+    """What slows the machine down: M_r, and the moment of the brake where it is on."""
+    return "M_r + M_b" if course.name == "braked" else "M_r"
+
+
+def head(course: Course) -> tuple[Words, ...]:
+    """The columns of the table of a run."""
+    return (*HEAD[:RESISTING], Words.same(f"${resisting(course)}$ /(N·m)"), *HEAD[RESISTING + 1 :])
+
+
 def drawn(course: Course) -> Words:
     """Which curves are drawn."""
     if course.name == "run":
@@ -55,7 +65,7 @@ def drawn(course: Course) -> Words:
     return (
         Words("作阻力矩", "Draw the resisting moment")
         + brake
-        + Words(" $M_r$ 随 $ω$ 变化的曲线。", ", $M_r$, versus $ω$.")
+        + Words(f" ${resisting(course)}$ 随 $ω$ 变化的曲线。", f", ${resisting(course)}$, versus $ω$.")
     )
 
 
