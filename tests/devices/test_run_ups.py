@@ -251,19 +251,3 @@ def test_a_small_machine_and_a_slow_one_are_drawn_as_large_as_others(moment: flo
         return [mark.b for figure in figures for mark in figure.marks if isinstance(mark, Segment)]
 
     assert curves(moment, time) == pytest.approx(curves(1.0, 1.0), abs=1e-6)
-
-
-def test_what_resists_with_the_brake_on_has_a_symbol_of_its_own() -> None:
-    """M_r is what the machine resists with: the statement gives it so, and no step makes it another quantity."""
-    solution = solve(load("run-down"), by="exact", repeats=0)
-    free, braked = (step for step in solution.construction.steps if step.words.zh.startswith("作"))
-    assert "$M_{rb} = M_r + M_b$" in braked.words.zh and "$M_{rb} = M_r + M_b$" in braked.words.en
-    assert "M_{rb}" not in free.words.zh
-    heads = [step.listing.head[1].en for step in solution.construction.steps if step.listing is not None]
-    assert heads == ["$M_r$ /(N·m)", "$M_{rb}$ /(N·m)"]
-    labels = {
-        figure.name: {mark.label for mark in figure.marks if isinstance(mark, Point)} & {"M_r", "M_{rb}"}
-        for figure in solution.construction.figures
-        if figure.title.zh.startswith("机械特性")
-    }
-    assert sorted(map(sorted, labels.values())) == [["M_r"], ["M_{rb}"]]

@@ -22,7 +22,7 @@ from ...diagrams.strip import root, summed
 from ..bench import Bench
 from .course import Course
 from .scales import CHARACTERISTIC, INVERSE, SPEED, scales_of
-from .words import DRIVING, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN, drawn, heads, resistance, titles
+from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN, drawn, titles
 
 STATIONS, TICKS = 25, 6  # points through which a characteristic is led; ticks of an axis
 ROWS = 9  # of the table
@@ -45,8 +45,7 @@ def characteristics(bench: Bench, device: RunUp, course: Course) -> Pane:
     board.step(drawn(course), place)
     scale = board.scale_of(place)
     speeds = np.union1d(np.linspace(0.0, course.last, STATIONS), [w for w in course.corners if w < course.last])
-    resists = resistance(course)
-    curves = {"M_d": course.driving(speeds), resists: course.resisting(speeds)}
+    curves = {"M_d": course.driving(speeds), "M_r": course.resisting(speeds)}
     if device.motor is None:
         del curves["M_d"]
     sizes = np.concatenate([*curves.values(), [0.0]])
@@ -61,7 +60,7 @@ def characteristics(bench: Bench, device: RunUp, course: Course) -> Pane:
                 board.join(place, a, b, Role.RESULT)
         else:
             board.curve(place, points, Role.RESULT)
-        board.plot(place, points[-3 if symbol == resists else 2], symbol, Dot.NONE)
+        board.plot(place, points[-3 if symbol == "M_r" else 2], symbol, Dot.NONE)
     return place
 
 
@@ -204,10 +203,9 @@ def _tabulate(bench: Bench, device: RunUp, course: Course) -> None:
     gaps = [d - r for d, r in zip(driving, resisting, strict=True)]
     columns = [column(omega.tolist()), *(column(one, count) for one in (driving, resisting, gaps))]
     columns.append(tuple(significant(value) for value in course.inverse(omega).tolist()))
-    head = heads(course)
-    kept = [k for k in range(len(head)) if device.motor is not None or k != DRIVING]
+    kept = [k for k in range(len(HEAD)) if device.motor is not None or k != DRIVING]
     rows = tuple(zip(*(columns[k] for k in kept), strict=True))
-    bench.board.tabulate(Listing(head=tuple(head[k] for k in kept), rows=rows, blocks=1))
+    bench.board.tabulate(Listing(head=tuple(HEAD[k] for k in kept), rows=rows, blocks=1))
 
 
 def _ticks(most: float, mu: float) -> list[tuple[float, str]]:

@@ -21,8 +21,7 @@ HEAD = (
     Words.same("$ΔM$ /(N·m)"),
     Words.same("$1/|ΔM|$ /(N·m)^{−1}"),
 )
-DRIVING, RESISTING = 1, 2  # the columns of M_d and of what resists
-BRAKED = "M_{rb}"  # of the load and of the brake
+DRIVING = 1  # the column of M_d
 INVERSES = Words(
     "由 $J dω/dt = ΔM$ 得 $t = J ∫ dω/ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，线下的面积即为所求的积分，"
     "量得：",
@@ -52,23 +51,12 @@ def drawn(course: Course) -> Words:
             "Draw the characteristics of the motor, $M_d$, and of the load, $M_r$, over the speed. At rest (point $A$) "
             "the motor has:",
         )
-    if course.name == "braked":
-        return Words(
-            f"作阻力矩与制动力矩之和 ${BRAKED} = M_r + M_b$ 随 $ω$ 变化的曲线。",
-            f"Draw the sum of the resisting moment and that of the brake, ${BRAKED} = M_r + M_b$, versus $ω$.",
-        )
-    return Words("作阻力矩 $M_r$ 随 $ω$ 变化的曲线。", "Draw the resisting moment, $M_r$, versus $ω$.")
-
-
-def resistance(course: Course) -> str:
-    """The symbol of what resists: with the brake on it is another quantity than without."""
-    return BRAKED if course.name == "braked" else "M_r"
-
-
-def heads(course: Course) -> tuple[Words, ...]:
-    """The heads of the table."""
-    own = Words.same(f"${resistance(course)}$ /(N·m)")
-    return tuple(own if k == RESISTING else head for k, head in enumerate(HEAD))
+    brake = Words("与制动力矩之和", " together with the brake") if course.name == "braked" else Words("", "")
+    return (
+        Words("作阻力矩", "Draw the resisting moment")
+        + brake
+        + Words(" $M_r$ 随 $ω$ 变化的曲线。", ", $M_r$, versus $ω$.")
+    )
 
 
 def steady() -> Words:
