@@ -87,7 +87,7 @@ def test_a_report_on_forces_is_not_called_kinematics(pages) -> None:  # type: ig
 def test_the_loads_the_friction_and_the_frame_s_number_are_told(pages) -> None:  # type: ignore[no-untyped-def]
     en = pages("4-3a", "en")
     assert "1000 N" in en and "6 mm" in en and "The frame is link 4" in en
-    assert "机架为构件 4" in re.sub(r"\s+", " ", pages("4-3a", "zh"))
+    assert "机架为构件4" in re.sub(r"\s+", "", pages("4-3a", "zh"))  # wherever the line is broken
 
 
 def test_a_device_is_told_without_links_and_freedoms(pages) -> None:  # type: ignore[no-untyped-def]

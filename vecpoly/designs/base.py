@@ -110,6 +110,13 @@ class Design(BaseModel):
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
 
+    @property
+    def is_given(self) -> bool:
+        """Whether all lengths of the linkage are given, and only what it does is sought; H is what it does."""
+        given = {symbol for symbol, _ in self.given()}
+        lengths = [one.key for one in self.quantities() if one.unit == "mm" and one.key != "H"]
+        return bool(lengths) and all(f"l_{{{key}}}" in given or key in given for key in lengths)
+
     def told(self) -> tuple[Words, ...]:
         """What is given in words, where symbols and values do not say it."""
         return ()

@@ -101,7 +101,7 @@ def _lines(solution: Solution) -> list[list[_Item]]:
     """All items of every solution; none where no solution can be moved."""
     moved = solution.verification
     design = solution.problem.subject
-    if all(one.broken is not None for one in moved) or not isinstance(design, Design):
+    if all(one.broken is not None for one in moved) or not isinstance(design, Design) or design.is_given:
         return []
     found = {one.number: one for one in solution.construction.candidates}
     true: dict[int, Mapping[str, float]] = dict(enumerate(exact(design), 1))

@@ -214,8 +214,8 @@ def _along(load: str, speed: str, along: bool) -> Words:
         else (Words("负", "negative"), Words("反向", "against"))
     )
     return Words(
-        f"$ΣP$ 为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
-        f" $ΣP$ is {sign.en}, so ${load}$ acts {way.en} ${speed}$:",
+        f"各功率之和为{sign.zh}，故 ${load}$ 与 ${speed}$ {way.zh}：",
+        f" The powers sum to a {sign.en} value, so ${load}$ acts {way.en} ${speed}$:",
     )
 
 

@@ -74,7 +74,7 @@ _TRAIN = {
     "eta_prime": Words("并联部分的效率", "efficiency of the parallel part"),
     "eta": Words("总效率", "efficiency of the whole"),
     "P": Words("电动机的功率", "power of the motor"),
-    r"P_\w+_in": Words("供给各分支的功率", "power of the branch"),
+    r"P_\w+_in": Words("电动机供给该工作机的功率", "share of the motor power"),
 }
 _REDUCED = {
     "i_.*": Words("传动比的大小", "absolute speed ratio"),

@@ -11,10 +11,10 @@ from ...mechanism.asked.pressure import pressure_quantities
 from ...mechanism.groups.assur import Group, decompose, hinges
 from ...mechanism.groups.mobility import Mobility, mobility
 from ...mechanism.model import FRAME, Mechanism
-from ...mechanism.rams import driver_words
 from ...mechanism.seats import seat
 from ...problem.problem import Problem
 from ...words import Words
+from .driver import driver, loads_of
 
 _HIGHER = {f"class {en}": f"{zh} 级" for en, zh in NUMERALS.items() if en not in ("I", "II")}
 
@@ -25,14 +25,15 @@ def structure(problem: Problem) -> Words:
         return Words.same("")
     mech = problem.subject
     freedom = "" if _is_taken(problem, "F") else "$F$ = "
-    return welded(mech) + _made_of(mech, mobility(mech), decompose(mech), freedom)
+    return welded(mech) + _made_of(mech, driver(problem), decompose(mech), freedom)
 
 
 def _is_taken(problem: Problem, letter: str) -> bool:
     """Whether a point, a load or the force of a pressure angle has this letter: one letter means one thing."""
     mech, asked = problem.mechanism, {ask.rel.key for ask in problem.asks}
     points = {p for link in mech.links for p in link.points} | set(mech.frame)
-    loads = {load.name for load in problem.loads.all} if problem.loads is not None else set()
+    acting = loads_of(problem)
+    loads = {load.name for load in acting.all} if acting is not None else set()
     return letter in points | loads or bool(asked & set(pressure_quantities(mech)))
 
 
@@ -104,11 +105,11 @@ def _seen(mech: Mechanism, count: Mobility) -> tuple[Mobility, Words]:
     )
 
 
-def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], freedom: str) -> Words:
+def _made_of(mech: Mechanism, drives: Words, groups: tuple[Group, ...], freedom: str) -> Words:
+    counted = mobility(mech)
     count, slots = _seen(mech, counted)
     higher = f" − {count.higher}" if count.higher else ""
     sum_up = f"{freedom}3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
-    driver = driver_words(mech)
     if any("G" in g.kind or g.kind in ("gear", "rack", "gear train") for g in groups):
         return (
             Words(
@@ -116,7 +117,9 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], free
                 f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}",
             )
             + _rolling(counted.higher > len(mech.contacts))
-            + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives.")
+            + Words("；", ". ")
+            + drives
+            + Words("。", ".")
         )
     zh = "、".join(f"{group_zh(g)}（{_links(mech, g.links).zh}{_as_bar(g).zh}）" for g in groups)
     *named, last = [f"{kind_of(g).en} ({_links(mech, g.links).en}{_as_bar(g).en})" for g in groups] or [""]
@@ -124,8 +127,7 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...], free
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     kind += " of" if len(groups) == 1 and groups[0].kind in _HIGHER else ""
     opening = _counted(mech, count) + Words(
-        f"，自由度 {sum_up}{slots.zh}；{driver.zh}为原动件，",
-        f"; its degree of freedom is {sum_up}{slots.en}. {driver.en[0].upper()}{driver.en[1:]} drives",
+        f"，自由度 {sum_up}{slots.zh}；{drives.zh}，", f"; its degree of freedom is {sum_up}{slots.en}. {drives.en}"
     )
     if any(g.kind == "driven" for g in groups):
         return opening + _inside(groups)

@@ -55,7 +55,7 @@ def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
     at its angle, or as a pitch circle where it has no further point."""
     first = fixed_points(desk) + Words("；", "; ")
     if desk.thought:
-        return first + _at_angle(drive, pivot, others, "")
+        return first + _at_angle(desk, drive, others, "")
     cam = next((one for one in desk.mech.cams if one.link == drive.link and others == [one.centre]), None)
     if cam is not None:
         return first + _centre_found(desk, drive, pivot, cam.centre)
@@ -64,7 +64,7 @@ def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
             f"以 ${pivot}$ 为圆心、$r_{gear.link}/μ_l$ 为半径作齿轮 {gear.link} 的节圆。",
             f"about ${pivot}$ draw the pitch circle of gear {gear.link} with the radius $r_{gear.link}/μ_l$.",
         )
-    return first + _at_angle(drive, pivot, others, f" = {number(math.degrees(drive.position), 5)}°")
+    return first + _at_angle(desk, drive, others, f" = {number(math.degrees(drive.position), 5)}°")
 
 
 def _centre_found(desk: Desk, drive: Drive, pivot: str, k: str) -> Words:
@@ -79,14 +79,26 @@ def _centre_found(desk: Desk, drive: Drive, pivot: str, k: str) -> Words:
     )
 
 
-def _at_angle(drive: Drive, pivot: str, others: list[str], phi: str) -> Words:
-    length = f"，截取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
-    length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""
+def _at_angle(desk: Desk, drive: Drive, others: list[str], phi: str) -> Words:
+    """phi: its value as printed; nothing where it was found by trial."""
+    pivot, _ = desk.crank(drive.link)
     found, found_en = ("试得的", "the ") if not phi else ("", "")
     return Words(
-        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi} 的直线，为构件 {drive.link}{length}。",
+        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi} 的直线，为构件 {drive.link}",
         f"through the fixed pivot ${pivot}$ draw link {drive.link} at "
-        f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to the $x$ axis{length_en}.",
+        f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to the $x$ axis",
+    ) + (_stepped_off(desk, drive, pivot, others[0]) if others else Words("。", "."))
+
+
+def _stepped_off(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
+    """On which side of the pivot the first point lies, where it is not that to which φ points: φ of BA, from B to A."""
+    points, phi = desk.mech.link(drive.link).points, f"$φ_{drive.link}$"
+    size = f"${pivot}{b} = l_{desk.bar(drive.link, pivot, b)}/μ_l$"
+    if (points[b] - points[pivot]).real >= 0.0:
+        return Words(f"，截取 {size}。", f" and step off {size} on it.")
+    return Words(
+        f"；{phi} 为 ${b}{pivot}$ 的方向角，故在 ${pivot}$ 的另一侧反向截取 {size}。",
+        f"; {phi} being the direction of ${b}{pivot}$, step off {size} on it beyond ${pivot}$, the opposite way.",
     )
 
 
