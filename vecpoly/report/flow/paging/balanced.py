@@ -13,8 +13,8 @@ from .loose import OPENEST, grown
 from .sectioned import HALF, heads, settled
 from .setting import tightened
 
-ENOUGH, LAST = 0.88, 0.6  # of a page of text, and of the last one: what is filled so far looks full
-LEAST = 0.4  # of the last page: one that holds less looks left over
+ENOUGH, LAST = 0.88, 0.8  # of a page of text, and of the last one: what is filled so far looks full
+LEAST = HALF  # of the last page too: one that holds less looks left over
 _OPENER = tuple(grown(OPENEST * n / 5) for n in range(8))  # a page that would be half empty is worth a wider setting
 _CLOSER = (Tightness(white=0.8), Tightness(white=0.6), Tightness(white=0.5, lines=0.97, figures=0.85))
 _SKETCHES = 1.25, 1.5  # times as large as it is the sketch beside the statement may be, where that fills a page
