@@ -15,7 +15,7 @@ from vecpoly.errors import EquilibriumError, VecpolyError
 from vecpoly.oracle import solve
 from vecpoly.oracle.forces import forces
 from vecpoly.oracle.forces.laws.corners import corners
-from vecpoly.oracle.forces.laws.period import constant_size
+from vecpoly.oracle.forces.laws.period import PIECE, constant_size, cuts_of
 from vecpoly.problem.problem import Problem
 
 CRANK, ROD, RATE = 0.06, 0.22, 10 * np.pi
@@ -225,3 +225,12 @@ def test_a_constant_moment_that_must_do_the_opposite_of_its_role_is_refused_with
     wrong = slider(CUT, unknown="M_d: {on: 1, size: constant, role: resisting}", find="M_d")
     with pytest.raises(EquilibriumError, match=r"called resisting, but the work .* wants it to drive \(51\.\d+ N·m\)"):
         moment(wrong, 1.0, "M_d")
+
+
+@pytest.mark.parametrize("entries", [(CUT,), (ENGINE, SPRING)])
+def test_the_pieces_of_a_period_are_small_and_cover_it_once(entries: tuple[str, ...]) -> None:
+    problem = slider(*entries, unknown="M_d: {on: 1, size: constant}", find="M_d, M_b")
+    assert problem.loads is not None
+    cuts = cuts_of(problem.mechanism, problem.loads)
+    assert np.ptp(cuts) == pytest.approx(2 * np.pi, rel=1e-9)
+    assert (np.diff(cuts) > 0).all() and np.diff(cuts).max() <= PIECE * (1 + 1e-9)

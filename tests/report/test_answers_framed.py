@@ -19,6 +19,7 @@ from vecpoly.printed.places import place_parts
 from vecpoly.printed.units import printed_unit
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
+from vecpoly.report.answers.errors import NOTHING
 from vecpoly.report.answers.line import direction_told, result_of
 from vecpoly.report.answers.order import solution_of
 from vecpoly.report.answers.placed import clean
@@ -198,3 +199,18 @@ def test_the_tables_of_an_answer_fill_its_frame(name: str) -> None:
             wide = sum(table.set_in(inner).widths) if halves is None else 2 * sum(halves[0].widths or ()) + GAP
             assert wide == pytest.approx(inner / MM, abs=0.01)
             assert halves is None or (*halves[0].rows, *halves[1].rows) == table.rows
+
+
+@pytest.mark.parametrize(
+    ("off", "error", "over"),
+    [
+        (NOTHING, "0.5°", False),
+        ("+0.5 %", NOTHING, False),
+        ("+0.5 %", "0.4 %", True),
+        ("−0.5 %", "0.4 %*", True),
+        ("+0.4 %", "0.5 %", False),
+        ("+0.5 %", "0.5 %", False),
+    ],
+)
+def test_only_what_is_off_by_more_than_expected_exceeds_it(off: str, error: str, over: bool) -> None:
+    assert exceeds(off, error) is over
