@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vecpoly.drawing.rect import Rect
-from vecpoly.drawing.sheets.evening import ASUNDER, MARGIN, evened
-from vecpoly.drawing.sheets.spreading import sunk
+from vecpoly.drawing.sheets.mounting.evening import ASUNDER, MARGIN, evened
+from vecpoly.drawing.sheets.mounting.spreading import sunk
 
 PAGE = (190.0, 260.0)
 

@@ -12,7 +12,7 @@ from tests.label_faults import text_of
 from vecpoly.board.paper.marks import AngleMark, Segment
 from vecpoly.drawing.figure import drawing
 from vecpoly.drawing.scene import TextBox
-from vecpoly.drawing.sheets.lifting import LOW
+from vecpoly.drawing.sheets.mounting.lifting import LOW
 from vecpoly.drawing.sheets.sheet import Sheet
 from vecpoly.drawing.symbols.angles import draw_angle
 

@@ -11,9 +11,9 @@ from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.marks import Role, Segment
 from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.scene import Rect, rect_of
+from vecpoly.drawing.sheets.mounting.spreading import sunk
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP
-from vecpoly.drawing.sheets.spreading import sunk
 from vecpoly.errors import VecpolyError
 from vecpoly.words import Words
 

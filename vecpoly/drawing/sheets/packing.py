@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from ...foundation.slotted import dataclass
+from .mounting.spreading import spread
 from .slicing import Pair, Piece, Shape, Size, Slicing, depth, is_read, is_table
 from .space import HIGHEST, PLATE
-from .spreading import spread
 
 TIGHT = 2.5  # mm of white between figures, and to the frame, at least: what is planned leaves more
 AROUND = 8.0  # mm of white about the figures of a plate, on both sides together

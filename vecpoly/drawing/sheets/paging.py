@@ -15,12 +15,12 @@ from ..figure import title_line
 from ..order import reading_order as reading_order
 from ..scene import Rect, Scene
 from .boxes.redbox import BAND
-from .evening import evened
+from .mounting.evening import evened
+from .mounting.spreading import sunk
 from .packing import TIGHT, Layout, pack
 from .pages import CROWDED, NOTHING, Cost, F, Page, Paging, Sized, covered, fullness, pairs_of
 from .slicing import Size
 from .space import STRIP, is_across, is_page, rooms
-from .spreading import sunk
 
 UPRIGHT = 0.04  # of a page's area by which figures must spread wider over one that lies across
 NESTED, TIGHTLY = 0.1, 0.07  # the same, over one that is plainer by a cut within cuts; for each mm of white it lacks

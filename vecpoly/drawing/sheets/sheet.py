@@ -18,7 +18,7 @@ from .boxes.redbox import BAND, red_box
 from .boxes.titleblock import Strip, furniture
 from .detailing import arrangements, drawn
 from .expected import Expected, dear, further, trials
-from .lifting import lifted
+from .mounting.lifting import lifted
 from .packing import Layout
 from .pages import Page, fullness
 from .paging import Drawn, arranged, best_paged, lined, paged, under_box

@@ -25,7 +25,7 @@ def assignment(name: str, found: Sequence[tuple[Problem, Proposal]], folder: Pat
 def entry(problem: Problem, proposal: Proposal, folder: Path | None = None) -> Iterator[str]:
     """The lines of one problem in an assignment."""
     yield f"  - problem: {_place(problem, folder)}"
-    if proposal.unscaled:
+    if problem.scales.given:
         yield "    scales: null"
     yield "    vary:"
     for one in proposal.ranges:

@@ -22,11 +22,10 @@ GAIN, FEW = 1.2, 3  # times as many students must have room by one more, where i
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Proposal:
-    """The ranges of a problem, and what the pilot says of them; unscaled: the scales of the file are given up."""
+    """The ranges of a problem, and what the pilot says of them."""
 
     ranges: tuple[Span, ...]
     pilot: Pilot
-    unscaled: bool
 
 
 def proposal(problem: Problem, students: int) -> Proposal:
@@ -49,7 +48,7 @@ def proposal(problem: Problem, students: int) -> Proposal:
                 break
     if found is None:
         raise _nothing(problem, why)
-    return Proposal(ranges=chosen, pilot=found, unscaled=_scaled(problem))
+    return Proposal(ranges=chosen, pilot=found)
 
 
 def ranged(problem: Problem, spans: Sequence[Span]) -> Problem:
@@ -77,10 +76,6 @@ def _varies(problem: Problem, span: Span) -> bool:
         return not any(said_already(ranged(problem, [span])))
     except VecpolyError:
         return False
-
-
-def _scaled(problem: Problem) -> bool:
-    return "scales" in data_of(problem)
 
 
 def _nothing(problem: Problem, why: VecpolyError | None) -> VecpolyError:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ....drawing.sheets.mounting.spreading import Box
 from ....drawing.sheets.slicing import Size
-from ....drawing.sheets.spreading import Box
 
 CLOSE = 15.0  # mm between edges that look as if they had missed one line
 _SAME = 1e-6  # mm

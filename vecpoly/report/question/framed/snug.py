@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, pairwise
 
+from ....drawing.sheets.mounting.spreading import Box, least
 from ....drawing.sheets.slicing import Cut, Piece, Size, Slicing
-from ....drawing.sheets.spreading import Box, least
 
 PARTS = 20  # of a sheet's width and of its height: there cuts are made, wherever the figures leave them free
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...foundation.slotted import replace
-from ..scene import Rect, Scene
-from .packing import Layout
-from .paging import Drawn, standing
+from ....foundation.slotted import replace
+from ...scene import Rect, Scene
+from ..packing import Layout
+from ..paging import Drawn, standing
 
 SAME, LOW, MOST = 0.1, 12.0, 14.0  # mm: between lines that are one; a figure lower by this is low; that it rises
 CLEAR = 4.0  # mm that it keeps of all others then

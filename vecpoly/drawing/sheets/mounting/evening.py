@@ -10,8 +10,8 @@ from functools import reduce
 from itertools import combinations, product
 from operator import or_
 
-from ..scene import Rect
-from .slicing import TOUCH, Size
+from ...scene import Rect
+from ..slicing import TOUCH, Size
 
 STEPS = tuple(1.0 - 0.02 * n for n in range(16))  # of their distances from the middle of the page
 MARGIN, WORTH = 18.0, 1.0  # mm of white beyond which no more is asked; by which it must grow for figures to move

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import inf
 
-from ..scene import Rect
-from .slicing import TOUCH, Cut, Piece, Size
+from ...scene import Rect
+from ..slicing import TOUCH, Cut, Piece, Size
 
 CLOSE = 18.0  # mm: titles of a row differ by no more; a figure goes down so far even from a line that others share
 LOWER = 0.5  # mm by which letters of a scale may reach lower than those of the lowest figure
