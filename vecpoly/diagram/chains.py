@@ -14,6 +14,7 @@ from ..board.paper.marks import Block, Dot, Ground, LinkNumber, Mark, Point, Rol
 from ..board.paper.symbols import Symbol
 from ..mechanism.joints import FRAME
 from ..names import subscripted
+from ..plane import nearest_between
 from .bars import bar, hull
 from .guides import HALF_BLOCK, bush, rail_under, through
 from .owners import FIXED, joint
@@ -233,13 +234,7 @@ def _on_body(centre: complex, radius: float, solid: list[complex]) -> bool:
     """Whether a disc holds a joint of its link, or a part of the line between two."""
     lines = ((a, b) for a in solid for b in solid if abs(b - a) > NEAR)
     held = any(abs(h - centre) < radius for h in solid)
-    return held or any(abs(centre - _foot(a, b, centre)) < radius for a, b in lines)
-
-
-def _foot(a: complex, b: complex, p: complex) -> complex:
-    """The point of the line from a to b nearest to p."""
-    share = ((b - a).conjugate() * (p - a)).real / abs(b - a) ** 2
-    return a + min(max(share, 0.0), 1.0) * (b - a)
+    return held or any(abs(centre - nearest_between(a, b, centre)) < radius for a, b in lines)
 
 
 def _once(places: list[complex]) -> list[complex]:

@@ -124,3 +124,10 @@ def crossing(one: complex, other: complex) -> float:
     """The angle between two radii, or lines, at which what belongs to them crosses (rad, to a right angle)."""
     turned = one.conjugate() * other
     return atan2(abs(turned.imag), abs(turned.real)) if turned else pi / 2
+
+
+def nearest_between(a: complex, b: complex, p: complex) -> complex:
+    """The place between two points that is nearest to a third."""
+    along = b - a
+    share = ((p - a) / along).real if along else 0.0
+    return a + min(1.0, max(0.0, share)) * along

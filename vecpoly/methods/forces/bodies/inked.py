@@ -9,7 +9,7 @@ from ....board.construction import Pane
 from ....board.paper.marks import Role
 from ....diagram.owners import link as owner_of
 from ....mechanism.model import Prismatic
-from ....plane import nominal
+from ....plane import nearest_between, nominal
 from ..acting import Acting
 from ..state import Statics
 from .arrows import Arrow
@@ -47,13 +47,7 @@ def _carry_on(st: Statics, pane: Pane, link: str, at: complex) -> None:
     """From the nearest place of the link to where the reaction acts, if that is beyond it."""
     marks = (mark for mark in st.board.marks(pane) if mark.owner == owner_of(link))
     pins = [complex(nominal(st.desk.at[point])) for point in st.mech.link(link).points if point in st.desk.at]
-    places = [*(_nearest(at, a, b) for a, b in bars_of(marks)), *pins]
+    places = [*(nearest_between(a, b, at) for a, b in bars_of(marks)), *pins]
     near = min(places, key=lambda place: abs(place - at), default=at)
     if abs(near - at) > OFF:
         st.board.join(pane, near, at, Role.CENTRE)
-
-
-def _nearest(at: complex, a: complex, b: complex) -> complex:
-    """The place of a bar that is nearest."""
-    share = ((at - a) / (b - a)).real
-    return a + (b - a) * min(1.0, max(0.0, share))

@@ -11,7 +11,7 @@ import numpy as np
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....errors import VecpolyError
-from ....plane import nominal
+from ....plane import nearest_between, nominal
 from ....problem.asked.target import Target
 from ....words import Words
 from ...desk import Desk
@@ -64,11 +64,5 @@ def _run(desk: Desk, point: str, sense: int) -> Iterator[complex]:
 
 def _foot(path: Sequence[complex], spot: complex) -> complex:
     """The place of the path that is nearest to a point."""
-    feet = (_on_chord(one, two, spot) for one, two in pairwise(path))
+    feet = (nearest_between(one, two, spot) for one, two in pairwise(path))
     return min(feet, key=lambda foot: abs(foot - spot), default=path[0])
-
-
-def _on_chord(one: complex, two: complex, spot: complex) -> complex:
-    along = two - one
-    share = ((spot - one) / along).real if along else 0.0
-    return one + min(1.0, max(0.0, share)) * along
