@@ -10,6 +10,7 @@ import pytest
 from openpyxl import load_workbook
 
 from tests.batch.homework import made, people
+from vecpoly.batch.forms.columns import columns_of
 from vecpoly.batch.forms.workbooks import key_bytes
 from vecpoly.batch.register import read_register
 from vecpoly.errors import ProblemFileError
@@ -69,6 +70,14 @@ def test_a_file_of_rules_changes_what_it_says_and_nothing_else(folder: Path, tmp
     key = scheme.key(register.sheets[0].parts[0].key)
     assert (scheme.rules.own, scheme.rules.close) == (0.5, 0.25)
     assert key["v_E"].points.total == 4 and key["v_C2B"].points.total == 5 and key.stated == {"mu_v": 2}
+
+
+def test_a_length_on_the_way_that_has_points_has_a_column_and_a_place_in_the_key(tmp_path: Path) -> None:
+    made(tmp_path / "hw", people([1]), TEXT + "points: {3-9: {pe: {accuracy: 2}, v_B: {method: 1}}}\n")
+    register = read_register(tmp_path / "hw")
+    assert {"3-9:pe", "3-9:v_B"} <= {column.head for column in columns_of(register)}
+    (heads, *_) = load_workbook(BytesIO(key_bytes(register)))["3-9"].iter_rows(values_only=True)
+    assert {"pe", "pe T", "v_B"} <= set(heads) and "pd" not in heads
 
 
 def test_other_points_write_no_page_anew(tmp_path: Path) -> None:

@@ -104,6 +104,11 @@ class Graded:
     points: Points = NOTHING
 
     @property
+    def is_counted(self) -> bool:
+        """Whether it is asked, or a step on the way to which the lecturer gives points."""
+        return self.asked or self.points.total > 0
+
+    @property
     def written_in(self) -> str:
         """The unit in which it is asked and written down: of a place mm, as the rule tells them."""
         return "mm" if self.kind is Kind.PLACE else self.unit

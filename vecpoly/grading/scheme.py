@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from ..errors import FaultError
+from ..errors import FaultError, UnknownNameError
 from ..foundation.slotted import replace
 from ..problem.marking import Marking
 from ..problem.schema.faults import Faults, meant
@@ -13,9 +13,11 @@ from ..problem.schema.marking import BlockSpec, MarkingSpec, PointsSpec
 from ..words import Words
 from .derive.rubric import USUAL, Block, Rubric, shared
 from .equations.priced import priced
-from .key import AnswerKey, Points
+from .key import AnswerKey, Graded, Kind, Points
+from .reading.symbol import keyed
 from .rules import USUAL_RULES, Rules
 
+Names = tuple[str, ...] | None
 SAME = 1e-6  # of points: nearer to each other two totals are one
 
 
@@ -65,32 +67,71 @@ def scheme_of(marking: Marking, keys: Mapping[str, AnswerKey], base: Scheme = US
     """The scheme that is said, over another.
 
     keys: of each problem, the key of one of its variants. Raises ProblemFileError, with every line, where points stand
-    for a problem or a quantity that there is not, where a rule names such a quantity, or where totals do not come out.
+    for a problem or a quantity that there is not, or for a sense that it has not, where a rule names such a quantity,
+    or where totals do not come out.
     """
-    scheme, faults = base.over(marking.said), marking.faults
-    for problem, each in marking.said.points.items():
+    said, faults = marking.said, marking.faults
+    points: dict[str, dict[str, PointsSpec]] = {}
+    for problem, each in said.points.items():
         with faults.at("points", problem):
             if problem not in keys:
                 raise _no_problem(problem, keys)
-        for name in each if problem in keys else ():
-            with faults.at("points", problem, name):
-                _known(name, (keys[problem],))
-    for rule in ("independent", "first"):
-        for at, name in enumerate(getattr(marking.said.rules, rule) or ()):
-            with faults.at("rules", rule, at):
-                _known(name, keys.values())
+        points[problem] = _worths(problem, each, keys[problem], faults) if problem in keys else {}
+    rules = {rule: _names(rule, getattr(said.rules, rule), keys, faults) for rule in ("independent", "first")}
     faults.settle()
+    scheme = base.over(said.model_copy(update={"points": points, "rules": said.rules.model_copy(update=rules)}))
     _add_up(marking, scheme, keys, faults)
     return scheme
 
 
-def _known(name: str, keys: Iterable[AnswerKey]) -> None:
-    """Raise where none of the keys has this quantity."""
-    there = [one.key for key in keys for one in key.quantities]
-    if name not in there:
+def _worths(problem: str, said: Mapping[str, PointsSpec], key: AnswerKey, faults: Faults) -> dict[str, PointsSpec]:
+    """The points of single quantities of a problem, by the keys that their names mean."""
+    found: dict[str, PointsSpec] = {}
+    for name, points in said.items():
+        with faults.at("points", problem, name):
+            known = _meant(name, [one.key for one in key.quantities])
+            if known in found:
+                raise FaultError(
+                    Words(f"“{name}”即 {known}，分值写了两次", f"'{name}' is {known}, whose points are said twice"),
+                    code="said-twice",
+                )
+            _earned(points, key[known])
+            found[known] = points
+    return found
+
+
+def _names(rule: str, names: Sequence[str] | None, keys: Mapping[str, AnswerKey], faults: Faults) -> Names:
+    """The keys that the names in a rule mean."""
+    there, found = [one.key for key in keys.values() for one in key.quantities], list[str]()
+    for at, name in enumerate(names or ()):
+        with faults.at("rules", rule, at):
+            found.append(_meant(name, dict.fromkeys(there)))
+    return None if names is None else tuple(found)
+
+
+def _meant(name: str, there: Iterable[str]) -> str:
+    """The key of a name as people write it: ω_3, v_E, w3. Raises FaultError where there is none, or more than one."""
+    known = tuple(there)
+    try:
+        return keyed(name, known)
+    except UnknownNameError as unknown:
+        if unknown.code == "ambiguous-symbol":
+            raise
+        said = Words(f"没有可评分的量“{name}”", f"no quantity '{name}' is graded")
+        raise FaultError(said + meant(name, known), code="unknown-name") from None
+
+
+def _earned(points: PointsSpec, one: Graded) -> None:
+    """Raise where nobody could have them: for the sense of what has none."""
+    if points.sense and one.kind not in (Kind.SIGNED, Kind.VECTOR):
         raise FaultError(
-            Words(f"没有可评分的量“{name}”", f"no quantity '{name}' is graded") + meant(name, there),
-            code="unknown-name",
+            Words(
+                f"“{one.key}”没有转向或指向，{points.sense:g} 分（sense）谁也得不到；请分给 method 或 accuracy",
+                f"'{one.key}' has no sense, so that nobody could have its {points.sense:g} points; "
+                "give them to method or accuracy",
+            ),
+            code="no-sense",
+            numbers={"points": points.sense},
         )
 
 

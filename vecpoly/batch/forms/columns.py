@@ -65,7 +65,7 @@ def columns_of(register: Register) -> tuple[Column, ...]:
     found: list[Column] = []
     for part in register.sheets[0].parts:
         found += [_of_row(part.problem, row) for row in part.key.equations]
-        asked = [one for one in part.key.quantities if one.asked]
+        asked = [one for one in part.key.quantities if one.is_counted]
         used = sorted({one.mu for one in asked if one.mu and one.mm})
         found += [Column(problem=part.problem, key=mu, what=What.SCALE, unit=per_mm(mu)) for mu in used]
         for one in asked:

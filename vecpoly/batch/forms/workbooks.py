@@ -172,7 +172,7 @@ def _exact(one: Graded, lang: Lang) -> str | float:
 
 
 def _asked(part: Part) -> Sequence[Graded]:
-    return [one for one in part.key.quantities if one.asked]
+    return [one for one in part.key.quantities if one.is_counted]
 
 
 def _round(value: float) -> float:

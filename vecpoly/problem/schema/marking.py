@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 Share = Annotated[float, Field(ge=0.0, le=1.0)]
-Worth = Annotated[float, Field(ge=0.0)]
+Worth = Annotated[float, Field(ge=0.0, le=1e4)]
 
 
 class _Said(BaseModel):
