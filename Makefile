@@ -19,6 +19,7 @@ test: $(VENV)/installed-dev
 
 soak: $(VENV)/installed-dev
 	$(BIN)/python -m tests.generators --count 300 --seed 1 --jobs 2
+	$(BIN)/python -m tests.by_lot --count 300 --seed 1
 	$(BIN)/python -m tests.fuzz --files 20000 --commands 1000 --classes 3000 --kills 200 --seed 1
 	HYPOTHESIS_PROFILE=soak $(BIN)/pytest $(SHARED)  # every law at least forty times as long as in `make test`
 
