@@ -13,9 +13,9 @@ import pytest
 
 import tests.drawn_library as drawn_library
 import tests.each as each
+import vecpoly.door as door
 import vecpoly.problem.load as loading
 from vecpoly import loads
-from vecpoly.problem.problem import Problem
 
 SHOWN = 300  # letters of what is told of one that fails
 
@@ -37,18 +37,17 @@ class Tried:
 
 def in_place_of_the_library(members: Mapping[str, str], files: Sequence[str]) -> Tried:
     """Every claim that is made of each problem of the library, made of these members instead."""
-    real, tried = loading.load, Tried()
+    tried = Tried()
 
-    def load(name: Any, *args: Any, **more: Any) -> Problem:
-        return loads(members[name]) if name in members else real(name, *args, **more)
+    def in_place_of(load: Callable[..., Any]) -> Callable[..., Any]:
+        return lambda name, *args, **more: loads(members[name]) if name in members else load(name, *args, **more)
 
     def of_members(cases: Iterable[Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
         return lambda claim: _of_all(claim, cases, members, tried)
 
     names = tuple(members)
     for room, name, value in (
-        (loading, "load", load),
-        (drawn_library, "load", load),
+        *((room, "load", in_place_of(vars(room)["load"])) for room in (loading, door, drawn_library)),
         *((drawn_library, name, names) for name in ("LIBRARY", "IDS", "DRAFTED")),
         (each, "each", of_members),
     ):

@@ -265,7 +265,7 @@ def test_notes_stand_under_the_columns_each_once(name: str) -> None:
         box.wrap(170.0 * MM, 1e4)
         told = [row[0][2] for row in box._rows if row[0][2] is not box._named]
         last = max((n for n, one in enumerate(told) if one.node is not None), default=-1)
-        assert all(one.node is not None or one.after.startswith(("解 ", "Solution ")) for one in told[:last])
+        assert all(one.node is not None or one.after.startswith(("解 ", "Solution ")) for one in told[: max(last, 0)])
         assert {one.after for one in told[last + 1 :]} == {*box.notes, *box.said}
 
 
@@ -291,7 +291,7 @@ def test_a_length_on_paper_times_its_scale_is_the_value_that_is_told(name: str) 
     for answer in solution.answers.values() if solution is not None else ():
         assert solution is not None
         told = re.match(r".* = μ\S*·([\d.]+) mm = ([\d.]+)", line_of(solution, answer.key, "en"))
-        if told is None:
+        if told is None or "×10" in told.string[told.end() :]:
             continue
         assert told[1] == on_paper(answer)
         scales = [f.scale.value for f in solution.construction.figures if f.scale.symbol == answer.reading.scale]

@@ -12,6 +12,7 @@ from tests.each import each
 from tests.lawful import CARD, ENGINE, slider
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
+from vecpoly.problem.values.given import as_printed
 from vecpoly.report.content import beside_tables
 from vecpoly.report.statement.in_table import in_table
 from vecpoly.report.tables import MOST_GIVEN, given_tables
@@ -93,3 +94,17 @@ def test_the_units_of_a_table_of_data_are_units_and_no_numbers(name: str) -> Non
 def test_a_sum_of_two_in_one_unit_has_it_once() -> None:
     table = in_table(load("7-2a"), "zh")[1]
     assert table is not None and table.rows[1][:3] == ("$J_{I}$", "0.08 + 0.01", "kg·m²")
+
+
+@pytest.mark.parametrize(
+    ("written", "zh"),
+    [
+        ("1e-1 m", "0.1 m"),
+        ("2.5e+2 mm", "250 mm"),
+        ("-1.0E1 rad/s", "−10 rad/s"),
+        ("3e-9 m", "$3×10^{−9}$ m"),
+        ("-5.77432155e-15 deg", "−$5.77432×10^{−15}$°"),
+    ],
+)
+def test_a_number_that_is_given_with_an_exponent_is_printed_as_in_a_book(written: str, zh: str) -> None:
+    assert as_printed(written, "zh") == zh

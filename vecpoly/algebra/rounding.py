@@ -39,6 +39,11 @@ def to_places(value: float, places: int) -> float:
     return float(Decimal(f"{value:.{_CLEAN}g}").quantize(Decimal(1).scaleb(-places), rounding=ROUND_HALF_EVEN))
 
 
+def in_tenths(value: float) -> str:
+    """The number to a tenth: 17.55 mm is 17.6 mm, however a float may lie there."""
+    return f"{to_places(value, 1):.1f}"
+
+
 def as_printed(value: float, digits: int) -> float:
     """The number to so many figures; larger ones that are told whole, to all of theirs."""
     return to_places(value, 0) if 10.0**digits <= abs(value) < 10.0**WHOLE else to_figures(value, digits)

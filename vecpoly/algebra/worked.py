@@ -6,7 +6,7 @@ result: 1063.6 × 0.076 = 80.83, for 1064 × 0.076 is 80.86.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import isfinite, nan
 from typing import cast
 
@@ -70,15 +70,26 @@ def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> tuple
     other numbers have."""
     own = cast("Expr", line.worked)
 
-    def told_of(one: Quantity) -> str:
-        return told(one.node, float(nominal(one.value)))
-
-    if any(map(told_of, _quantities(own))):
-        other = _each(own, lambda one: replace(one, told=told_of(one) or one.told))
+    for other in _told_elsewhere(own, told):
         digits = figures_for(other, shown)
         if _gives(other, digits, (read_back(shown),)):
             return other, digits
     return own, figures_for(own, shown)
+
+
+def _told_elsewhere(own: Expr, told: Callable[[Node, float], str]) -> Iterator[Expr]:
+    """The expression with the numbers that are told elsewhere; then with all but one of them, for another line may have
+    needed that to more figures."""
+    known = {one.node: number for one in _quantities(own) if (number := told(one.node, float(nominal(one.value))))}
+    if known:
+        yield _with_told(own, known)
+    for left in known if len(known) > 1 else ():
+        yield _with_told(own, {node: number for node, number in known.items() if node is not left})
+
+
+def _with_told(own: Expr, known: Mapping[Node, str]) -> Expr:
+    """The expression, these of its symbols with these numbers."""
+    return _each(own, lambda one: replace(one, told=known.get(one.node, one.told)))
 
 
 def goes_on(line: Row, shown: str, told: Callable[[Node, float], str]) -> bool:

@@ -13,7 +13,7 @@ from typing import cast
 import numpy as np
 
 from ..algebra.formula import Node, letters_node, plain
-from ..algebra.quantity import Expr, Quantity, magnitude, number, paper
+from ..algebra.quantity import Expr, Quantity, magnitude, paper
 from ..algebra.worked import worked
 from ..names import ascii_key
 from ..plane import Points, Reals, around, nominal, shoelace
@@ -32,12 +32,11 @@ from .otherwise.slip import Chance, Mistake
 from .otherwise.wrongly import FACTOR
 from .place import Place, View
 from .ruler import Ruler
+from .said.short import laid
 from .said.unreadable import unreadable
 from .strokes import NO_ARROW, NO_LENGTH, amount, spot
 
 __all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "Unwritten", "letters_node", "spot"]
-
-LAID = 0.05  # mm: the least length that can be laid off with a rule
 
 
 class Board(Compass):
@@ -212,7 +211,7 @@ class Board(Compass):
         if not self.writes:
             return
         mm, name = float(nominal(self.to_paper(view, quantity.value))), paper(letters_node(letters), 0.0).node
-        line = worked(name, quantity / self.mu(view), "mm", f"{mm:.1f}" if abs(mm) >= LAID else number(mm, 1))
+        line = worked(name, quantity / self.mu(view), "mm", laid(mm))
         self.write(line, when=self.laid_off(ascii_key(plain(quantity.symbol()))))
 
     def write_worked(self, node: Node, expr: Expr, unit_text: str) -> None:

@@ -26,7 +26,9 @@ def in_metres(line: Row, own: Row, scales: Container[Node]) -> Row:
     result, numbers = ends[1].partition(ABOUT)[0].removesuffix(" mm"), _shifted(line.items[_NUMBERS])
     if numbers is None or NUMBER.fullmatch(result) is None or "×" in result or not float(result.lstrip("−")):
         return line
-    return Row((*line.items[:_NUMBERS], numbers, Txt(f"{EQUALS}{_by_milli(result)} m{end.text}")))
+    told = end.text.partition(ABOUT)[2]  # of what later lines go on with to more figures: 0.04698 m ≈ 47.0 mm
+    last = f"{ABOUT}{told}" if told else end.text
+    return Row((*line.items[:_NUMBERS], numbers, Txt(f"{EQUALS}{_by_milli(result)} m{last}")))
 
 
 def _first(expr: object) -> Quantity | None:

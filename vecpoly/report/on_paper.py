@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from ..algebra.rounding import in_tenths
 from ..errors import VecpolyError
 from ..solution import Solution
 from ..units.reading import Dim, read
@@ -19,7 +20,7 @@ def on_paper(text: str, solution: Solution) -> str:
     def told(found: re.Match[str]) -> str:
         datum = given.get(_bare(found[3]))
         size = 0.0 if datum is None else datum.si or _metres(datum.text)
-        return f"{found[0]} = {int(found[2] or 1) * size / scale:.1f} mm" if size > 0.0 else found[0]
+        return f"{found[0]} = {in_tenths(int(found[2] or 1) * size / scale)} mm" if size > 0.0 else found[0]
 
     return _LAID.sub(told, text) if scale else text
 

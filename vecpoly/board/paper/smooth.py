@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-STEPS = 12  # chords drawn between two points
+STEPS, LONGEST = 12, 1.0  # chords drawn between two points, at least; and how long (mm) one of more is, at most
 SAME = 1e-9  # mm: points nearer than this are one
 
 Array = npt.NDArray[np.complex128]
@@ -21,10 +21,12 @@ def smooth(points: Sequence[complex]) -> tuple[complex, ...]:
         return tuple(complex(p) for p in through)
     chords = np.abs(np.diff(through))
     slopes = _slopes(through, chords, closed=bool(abs(through[0] - through[-1]) <= SAME))
-    t = np.linspace(0.0, 1.0, STEPS, endpoint=False)[:, None]
-    a, b, m, n = through[:-1], through[1:], slopes[:-1] * chords, slopes[1:] * chords
+    steps = np.maximum(STEPS, np.ceil(chords / LONGEST)).astype(int)
+    piece = np.repeat(np.arange(len(chords)), steps)
+    t = (np.arange(len(piece)) - (np.cumsum(steps) - steps)[piece]) / steps[piece]
+    a, b, m, n = (some[piece] for some in (through[:-1], through[1:], slopes[:-1] * chords, slopes[1:] * chords))
     drawn = a + t * m + t**2 * (3 * (b - a) - 2 * m - n) + t**3 * (2 * (a - b) + m + n)
-    return (*(complex(p) for p in drawn.T.ravel()), complex(through[-1]))
+    return (*map(complex, drawn), complex(through[-1]))
 
 
 def _slopes(points: Array, chords: npt.NDArray[np.float64], *, closed: bool) -> Array:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from ...algebra.formula import adjoined, plain
 from ...algebra.quantity import number
+from ...algebra.rounding import in_tenths
 from ...foundation.slotted import dataclass, replace
 from ...words import Words
 from ..construction import Reading, Scale, Step
@@ -42,6 +43,11 @@ def _read(reading: Reading) -> bool:
     """Whether its line starts from the length on paper; of one without a way to its result it is taken to."""
     text = "" if reading.formula is None else plain(reading.formula)
     return text.count(" = ") < WORKED or reading.scale in text
+
+
+def laid(mm: float) -> str:
+    """A length that is laid off: 15.0, or what is less than a rule has."""
+    return in_tenths(mm) if abs(mm) >= FINEST else number(mm, 1)
 
 
 def about(mm: float) -> str:

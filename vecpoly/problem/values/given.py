@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import field
+from decimal import Decimal
 from enum import StrEnum
 
 from ...foundation.frozen import FrozenMap
@@ -59,8 +60,10 @@ class Datum:
         return f"n{self.symbol[1:]}" if self.symbol.startswith("ω_") and "r/min" in self.text else self.symbol
 
 
+_EXPONENT = pattern(r"(?<![\w.])(\d+\.?\d*|\.\d+)[eE]([+-]?\d+)(?!\w)")
+_PLAIN = (-4, 7)  # powers of ten of the first figure of what is written without an exponent
 _LONG = pattern(r"\d+\.\d{4,}")  # more digits than a person writes
-_MINUS = pattern(r"(?<![\w$}])-(?=\d)")
+_MINUS = pattern(r"(?<![\w$}])-(?=\$?\d)")
 _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
     "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from", " 自"), (" at ", "，方向角 ")),
     "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),
@@ -80,6 +83,15 @@ _TYPESET = {
 }
 
 
+def _by_powers_of_ten(written: re.Match[str]) -> str:
+    """1e-1 is 0.1, 2.5e+2 is 250, 3e-9 is 3×10⁻⁹."""
+    value = Decimal(written[0])
+    first = value.adjusted()
+    if value and not _PLAIN[0] <= first < _PLAIN[1]:
+        return f"${value.scaleb(-first).normalize():f}×10^{{{first}}}$".replace("-", "−")
+    return f"{value.normalize():f}"
+
+
 def as_printed(text: str, lang: Lang) -> str:
     """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
     text = text.replace(" … ", "～" if lang == "zh" else " to ")
@@ -87,6 +99,7 @@ def as_printed(text: str, lang: Lang) -> str:
         text = re.sub(f"{written}(?![a-z])", printed, text)  # deg is a unit, degree a word
     for found, made in _TYPESET[lang]:
         text = found.sub(made, text)
+    text = _EXPONENT.sub(_by_powers_of_ten, text)
     text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)
     return _MINUS.sub("−", text)
 

@@ -60,10 +60,8 @@ def keeps(desk: Desk, star: Star, leg: Axial) -> Words:
         case Guided(inner=b):
             return Words(f" ${b}$ 在其导路线上", f"${b}$ lies on its guide line")
         case Slotted():
-            way = _past(desk, leg)
-            return Words(
-                f"构件 {star.plate} 与构件 {leg.link} 间的导路{way.zh}", f"its slide on link {leg.link} passes {way.en}"
-            )
+            slide, way = _slide(star, leg), _past(desk, leg)
+            return Words(f"{slide.zh}{way.zh}", f"{slide.en} passes {way.en}")
         case _:
             assert_never(leg)
 
@@ -82,13 +80,19 @@ def tried(desk: Desk, star: Star, leg: Axial) -> Words:
                 f"; trace the path of ${b}$. Where it cuts the guide line of ${b}$ is ${b}$",
             )
         case Slotted():
-            way = _past(desk, leg)
+            slide, way = _slide(star, leg), _past(desk, leg)
             return Words(
-                f"，直至构件 {star.plate} 与构件 {leg.link} 间的导路也{way.zh}",
-                f"; the right one is that in which its slide on link {leg.link} also passes {way.en}",
+                f"，直至{slide.zh}也{way.zh}", f"; the right one is that in which {slide.en} also passes {way.en}"
             )
         case _:
             assert_never(leg)
+
+
+def _slide(star: Star, leg: Slotted) -> Words:
+    """What the central link slides with: on another link, or a slot of its own in which a pin runs."""
+    if leg.slide.pin_in_slot:
+        return Words(f"构件 {star.plate} 的导槽", "its slot")
+    return Words(f"构件 {star.plate} 与构件 {leg.link} 间的导路", f"its slide on link {leg.link}")
 
 
 def _past(desk: Desk, leg: Slotted) -> Words:

@@ -43,6 +43,7 @@ def draw_target(desk: Desk, target: Target) -> None:
     board.compute("δ_{max}", board.mu(view) * on_paper, "m")
     board.join(view, np.complex128(at), np.complex128(foot), Role.RESULT)
     board.plot(view, np.complex128(at), mark, Dot.POINT)
+    board.plot(view, np.complex128(foot), f"{mark}_0", Dot.POINT)
 
 
 def _path(desk: Desk, point: str) -> list[complex]:

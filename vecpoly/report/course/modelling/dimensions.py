@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from ....algebra.quantity import number
+from ....algebra.rounding import in_tenths
 from ....board.construction import Figure
 from ....board.paper.scales import round_up
 from ....findings.study.study import Study
@@ -40,7 +41,7 @@ def dimensions(study: Study, press: Press, figure: Figure | None) -> str:
         (
             Words("机架", "frame").of(press.lang) if name == FRAME else study.name(name),
             comma.join(f"${symbol}$ = {number(round(1e3 * size, 9), 5)}" for symbol, size in found),
-            comma.join(f"{size / figure.scale.value:.1f}" for _, size in found),
+            comma.join(in_tenths(size / figure.scale.value) for _, size in found),
         )
         for name, found in _sizes(study)
         if found
