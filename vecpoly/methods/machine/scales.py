@@ -16,7 +16,7 @@ from .french import French
 TORQUE, ENERGY, INDICATOR = view_named("torque"), view_named("energy"), view_named("indicator")
 INERTIA, WITTENBAUER = view_named("inertia"), view_named("energy-mass")
 WIDE, HIGH, LOW, BAR = 150.0, 80.0, 55.0, 90.0  # mm: along φ; moments; inertias; energies
-LOOP = 130.0  # mm: along J_e
+LOOP, TALL = 130.0, 200.0  # mm: along J_e; energies on its figure, as high as a page
 ALIKE = 1.6  # times: the bar is so much shorter, at most, for the sake of one μ_E
 POLES = (60.0, 50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 10.0, 8.0, 5.0, 4.0, 3.0, 2.0, 1.0)  # mm: pole distances
 
@@ -33,14 +33,16 @@ class Sizes:
     pole: float
 
 
-def sizes_of(curve: French, given: Scales, heights: tuple[float, float], swing: float) -> Sizes:
-    """As given, or round ones; heights: least and greatest moment on the diagram; swing: of the energy (J)."""
+def sizes_of(curve: French, given: Scales, heights: tuple[float, float], swing: float, reach: float = 0.0) -> Sizes:
+    """As given, or round ones; heights: least and greatest moment on the diagram; swing: of the energy (J); reach: the
+    energies (J) that stand one over the other on the loop's figure."""
     turned = TORQUE.across and given.of(TORQUE.across)
     across = turned or fitting(curve.period / WIDE)
     moment = given.of(TORQUE.mu) or fitting((max(heights[1], 0.0) - min(heights[0], 0.0)) / HIGH)
     most = max(curve.inertia(float(psi)) for psi in np.linspace(0.0, curve.period, 73))
     inertia = given.of(INERTIA.mu) or fitting(most / LOW)
-    pole = next((h for h in POLES[::-1] if h * moment * across >= swing / BAR), POLES[0])
+    least = max(swing / BAR, reach / TALL)
+    pole = next((h for h in POLES[::-1] if h * moment * across >= least), POLES[0])
     mass = given.of(INERTIA.mu) or fitting(most / LOOP)
     energy, bar = pole * moment * across, fitting(swing / BAR)
     alike = bar <= energy <= ALIKE * bar and isclose(energy, round_up(energy))

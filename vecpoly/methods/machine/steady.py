@@ -16,7 +16,7 @@ from .period import period_of, shown
 from .positions import draw_positions
 from .scales import sizes_of
 from .torque import draw_moments, draw_surplus, rows_of
-from .wittenbauer import contacts_of, draw_loop, keep_areas
+from .wittenbauer import contacts_of, draw_loop, keep_areas, reach_of
 
 POSITIONS = Words("等效量随转角的变化", "The equivalent model over a period")
 WORK = Words("盈亏功", "Surplus and deficit of work")
@@ -36,7 +36,10 @@ def draw_steady(desk: Desk, problem: Problem, machine: Machine, run: Steady) -> 
     heights = [shown(height) for _, height in rows_of(period, -1.0 if curve.mean > 0 else 1.0)]
     top, low = (curve.highest(0.0, curve.mean, sign) for sign in (1.0, -1.0))
     swing = curve.work(top, curve.mean) - curve.work(low, curve.mean)
-    sizes = sizes_of(curve, problem.scales, (min(heights), max(abs(curve.mean), *heights)), swing)
+    looped = bool(asked & {"J_F", "phi_max", "phi_min", "omega_max", "omega_min"})
+    contacts = contacts_of(period)
+    reach = reach_of(period, contacts) if looped else 0.0
+    sizes = sizes_of(curve, problem.scales, (min(heights), max(abs(curve.mean), *heights)), swing, reach)
     board = desk.board
     board.section(POSITIONS)
     draw_positions(period, sizes)
@@ -44,9 +47,8 @@ def draw_steady(desk: Desk, problem: Problem, machine: Machine, run: Steady) -> 
     moments = draw_moments(period, sizes, named)
     surplus = draw_surplus(period, sizes, moments)
     keep_areas(period, surplus)
-    if asked & {"J_F", "phi_max", "phi_min", "omega_max", "omega_min"}:
+    if looped:
         board.section(LOOP)
-        contacts = contacts_of(period)
         constant = 0.0 if named is None else curve.sense * board.found[named.key]
         energies = draw_energy(period, sizes, (contacts[0].psi, contacts[1].psi), constant)
         draw_loop(period, sizes, energies, contacts)

@@ -41,6 +41,16 @@ def contacts_of(period: Period) -> tuple[Contact, Contact]:
     )
 
 
+def reach_of(period: Period, contacts: tuple[Contact, Contact]) -> float:
+    """The energies (J) from the lowest to the highest of what the loop's figure shows: its places, and where the
+    tangents cut the axis, far from it where J_e hardly varies."""
+    curve = period.curve
+    touched = [(curve.work(one.psi, curve.mean), one.speed**2 / 2 * curve.inertia(one.psi)) for one in contacts]
+    ends = [curve.work(curve.highest(0.0, curve.mean, sign), curve.mean) for sign in (1.0, -1.0)]
+    shown_there = [*ends, *(energy - below for energy, below in touched)]
+    return max(shown_there) - min(shown_there)
+
+
 def draw_loop(period: Period, sizes: Sizes, energies: Energies, contacts: tuple[Contact, Contact]) -> None:
     """The loop point by point, both tangents, J_F = (a − b) / (δ ω_m²)."""
     board = period.board

@@ -26,7 +26,7 @@ from ..image import imaged, images_of_link
 from ..terms import known
 from ..turning import angular_acceleration, angular_velocity, same_turn
 from .special import Special, find_special, special_of
-from .star import Axial, Guided, Hinged, Parallel, Slotted, Star, point_of, star_of
+from .star import Axial, Guided, Hinged, Parallel, Slotted, Star, called, point_of, star_of
 from .ways import Chain, chain_of, on_plate, prepare, to_special, turned_on_plate
 
 _SOURCE = "机械原理, class III groups by special points (Assur points)"
@@ -95,16 +95,15 @@ def _over_special(desk: Desk, view: View, star: Star) -> dict[str, Chain]:
 
 def _special_point(desk: Desk, view: View, star: Star, special: Special) -> dict[str, Chain]:
     """The equation whose sides are the two legs of the pair."""
-    kind, s = QUANTITY[view], desk.name(special.at)
+    kind, s, legs = QUANTITY[view], desk.name(special.at), called(*special.pair)
     parts = Words(
         "等式每一侧的两个未知矢量方向相同，合为一项。",
         " On either side the two unknown vectors are parallel and count as one.",
     )
     desk.board.step(
         Words(
-            f"求特殊点 ${s}$ 的{kind.zh}：分别由构件 {special.pair[0].link}、{special.pair[1].link} 列矢量方程并作图。",
-            f"Find the {kind.en} of the special point ${s}$: write the vector equation over links "
-            f"{special.pair[0].link} and {special.pair[1].link} and draw it.",
+            f"求特殊点 ${s}$ 的{kind.zh}：分别由{legs.zh} 列矢量方程并作图。",
+            f"Find the {kind.en} of the special point ${s}$: write the vector equation over {legs.en} and draw it.",
         )
         + parts,
         view,

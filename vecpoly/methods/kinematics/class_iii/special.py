@@ -19,7 +19,7 @@ from ....names import At
 from ....plane import Line, cross, lines_meet, nominal, unit
 from ....words import Words
 from ...desk import Desk
-from .star import Axial, Guided, Hinged, Slotted, Star, axis_of
+from .star import Axial, Guided, Hinged, Slotted, Star, axis_of, called
 
 LETTERS = "SWZUTXYVQRNJL"
 FLAT = 1e-9  # below this the three axes meet in one point, or are parallel
@@ -58,16 +58,10 @@ def find_special(desk: Desk, star: Star, special: Special) -> None:
     if special.at.point in desk.at:
         return
     one, two = (axis_of(desk, leg) for leg in special.pair)
+    legs = called(*special.pair)
     desk.board.step(_words(star, special), View.MECHANISM)
     lines = [desk.board.parallel(line.at, line.along) for line in (one, two)]
-    found = desk.board.meet(
-        lines[0],
-        lines[1],
-        Words(
-            f"构件 {special.pair[0].link} 与 {special.pair[1].link} 的轴线",
-            f"axes of links {special.pair[0].link} and {special.pair[1].link}",
-        ),
-    )
+    found = desk.board.meet(lines[0], lines[1], Words(f"{legs.zh} 的轴线", f"axes of {legs.en}"))
     desk.letter(special.at.point, found)
     here = complex(nominal(desk.at[special.at.point]))
     if _reach(desk, star, here) > FAR:
@@ -150,6 +144,10 @@ def _axis_words(star: Star, leg: Axial) -> Words:
         case Guided(inner=b):
             return Words(
                 f"过 ${b}$ 所作构件 {leg.link} 导路的垂线", f"the normal at ${b}$ to the guide of link {leg.link}"
+            )
+        case Slotted(outer=q, slide=slide) if slide.pin_in_slot:
+            return Words(
+                f"过 ${q}$ 所作构件 {star.plate} 的导槽的垂线", f"the normal at ${q}$ to the slot of link {star.plate}"
             )
         case Slotted(outer=q):
             return Words(

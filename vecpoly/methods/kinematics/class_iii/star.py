@@ -67,6 +67,15 @@ Axial = Hinged | Guided | Slotted  # the legs that have an axis
 Leg = Axial | Parallel
 
 
+def called(*legs: Leg) -> Words:
+    """The links of some legs; a pin that runs in a slot of the central link stands for a link that is none."""
+    pins = [f"${leg.outer}$" for leg in legs if isinstance(leg, Slotted) and leg.slide.pin_in_slot]
+    links = [leg.link for leg in legs if not (isinstance(leg, Slotted) and leg.slide.pin_in_slot)]
+    zh = [*([f"构件 {'、'.join(links)}"] if links else []), *(f"销 {pin}" for pin in pins)]
+    of = [f"link{'s' * (len(links) > 1)} {' and '.join(links)}"] if links else []
+    return Words("、".join(zh), " and ".join([*of, *(f"the pin {pin}" for pin in pins)]))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Star:
     """The central link ("plate") and its three legs."""

@@ -7,7 +7,7 @@ from typing import assert_never
 from ....mechanism.model import FRAME
 from ....words import Words
 from ...desk import Desk
-from .star import Axial, Guided, Hinged, Slotted, Star
+from .star import Axial, Guided, Hinged, Slotted, Star, called
 
 NO_OFFSET = 1e-9  # m: a slide nearer to its pin than this passes through it
 
@@ -15,11 +15,11 @@ NO_OFFSET = 1e-9  # m: a slide nearer to its pin than this passes through it
 def trial_words(desk: Desk, star: Star, legs: tuple[Axial, ...]) -> Words:
     """How the central link is tried: held by two legs, checked by the third."""
     one, two = (keeps(desk, star, leg) for leg in legs[:2])
-    last = tried(desk, star, legs[2])
+    last, left = tried(desk, star, legs[2]), called(legs[2])
     return (
         Words(
-            f"Ⅲ级杆组用试凑法定位：暂不计构件 {legs[2].link}，给中心构件 {star.plate} 取几个试方位，使",
-            f"The class III group is found by trial: leave link {legs[2].link} out and try the central "
+            f"Ⅲ级杆组用试凑法定位：暂不计{left.zh}，给中心构件 {star.plate} 取几个试方位，使",
+            f"The class III group is found by trial: leave {left.en} out and try the central "
             f"link {star.plate} in several orientations such that ",
         )
         + one
