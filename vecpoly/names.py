@@ -201,11 +201,13 @@ def written_unit(unit: str) -> str:
 _POINT = rf"({LETTER})(\d*)"
 _VECTOR = pattern(rf"^(p|v|a|an|at|ak|ar)_{_POINT}(?:{_POINT})?$")
 _NAMED_POINT = pattern(rf"^p_({LETTER}\d*)$")
-_ANGULAR = pattern(r"^(omega|alpha)_(\w+)$")
+_ANGULAR, _LONG = pattern(r"^(omega|alpha)_(\w+)$"), pattern(r"([A-Za-z])([a-z]+\d*)")
 
 
 def subscripted(letter: str) -> str:
-    """C2 as printed: C_2; a plain letter stays itself, and one with a subscript."""
+    """C2 as printed: C_2; a plain letter stays itself, and one with a subscript. Qz4 is Q_{z4}, as where it is found."""
+    if (whole := _LONG.fullmatch(letter)) is not None:
+        return f"{whole[1]}_{{{whole[2]}}}"
     bare = letter.rstrip("0123456789")
     return f"{bare}_{letter[len(bare) :]}" if letter != bare and not bare.endswith("_") else letter
 
@@ -221,10 +223,8 @@ _ASCII = str.maketrans(
 
 
 def parse_rel(text: str) -> Rel:
-    """Read an ASCII key such as ``v_E``, ``ak_B3B2``, ``omega_2``.
-
-    Raises UnknownNameError when the text is no such key.
-    """
+    """Read an ASCII key such as ``v_E``, ``ak_B3B2``, ``omega_2``. Raises UnknownNameError when the text is no such
+    key."""
     if m := _ANGULAR.match(text):
         return Rel(Kind(m[1]), At("", m[2]))
     if m := _NAMED_POINT.match(text):

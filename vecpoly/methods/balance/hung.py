@@ -78,7 +78,8 @@ def _pane(here: Weighing, of: Passing) -> Pane:
 
 def _laid(here: Weighing, of: Passing, one: Stand) -> Laid:
     desk, pivot = here.desk, of.outlets[0].point
-    named = Named(f"W_{one.label}", f"W_{{{one.label}}}", "kg·m")
+    again = "′" * (f"W_{one.label}" in desk.board.ledger.sizes)  # about the pivot of another link: another product
+    named = Named(f"W{again}_{one.label}", f"W{again}_{{{one.label}}}", "kg·m")
     size = here.bench.worked(named, one.mass * desk.length(pivot, one.point))
     turn = desk.board.gauge(desk.at[pivot], desk.at[one.point]) + (0.0 if one.turn is None else one.turn)
     return Laid(named=named, size=size.value, degrees=np.degrees(turn) % 360.0)
