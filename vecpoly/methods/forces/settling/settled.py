@@ -226,7 +226,7 @@ def _slope(start: Statics, guide: Statics, rubbed: Further, walk: Walk, couples:
         found = rubbed(_pass(start, guide, moved, walk))
         return [(np.asarray(bare(found.get(key, c))) - c) / stride for key, c in base.items()]
 
-    if any(np.ndim(bare(c)) for c in (*couples.values(), *after.values())):
+    if any(np.ndim(bare(one)) for one in (*couples.values(), *after.values(), *start.desk.at.values())):
         apart = [rise({**couples, key: couples[key] + stride}) for key in couples]
         return np.array([[nominal(one) for one in column] for column in apart]).T
     nudges = stride * (1.0 + np.vstack([np.zeros(len(couples)), np.eye(len(couples))]))  # none is left at nothing
