@@ -39,7 +39,8 @@ def longest(x: Reals) -> Reals:
     """The longest side of any of the links and of the frame: AB = 1, BC, CD, AD, and BE, CE of the coupler."""
     spot = x[:, 4] + 1j * x[:, 5]
     sides: Reals = np.maximum(np.abs(spot), np.abs(spot - 1.0)) * x[:, 0]
-    return np.maximum(np.maximum(x[:, :3].max(axis=1), sides), 1.0)
+    longest_side: Reals = np.maximum(np.maximum(x[:, :3].max(axis=1), sides), 1.0)
+    return longest_side
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
