@@ -151,6 +151,9 @@ class PrintedSpec(Spec):
         None, ge=2, le=9, description="to how many figures the book reckoned on the way; it is held to no more"
     )
     note: Text | None = None
+    lost: YesNo = Field(
+        False, description="its data are lost and ours stand instead: held only against the other answers"
+    )
 
 
 class SheetSpec(Spec):
