@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from math import isfinite
 
 from ...words import Words
+from ..grashof import CRANK_ROCKER, DOUBLE_CRANK
 from .found import LOOSE, Verified
 
 CANNOT = Words("不能整周转动", "cannot turn right round")
@@ -34,7 +35,9 @@ def _parts(one: Verified) -> list[Words]:
     parts = []
     if one.kind is not None:
         parts.append(one.kind + _margin(one.margin))
-    driver = Words(f"原动件 ${one.driver}$ ", f"the driver ${one.driver}$ ")
+    crank = one.kind in (CRANK_ROCKER, DOUBLE_CRANK)  # of the four-bar, to which what is added need not follow it
+    added = Words("连同所加的杆组，", "with what is added ") if crank and not one.full else Words("", "")
+    driver = added + Words(f"原动件 ${one.driver}$ ", f"the driver ${one.driver}$ ")
     parts.append(driver + (Words("可整周转动", "turns right round") if one.full else CANNOT))
     if isfinite(one.ratio):
         name = Words("摆角", "swing") if one.unit == "°" else Words("行程", "stroke")
