@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from ...designs.base import Design
-from ...oracle.synthesis.registry import linkages, solvable
+from ...designs.crank_rocker import CrankRocker
+from ...designs.slider_crank import SliderCrank
+from ...errors import AssemblyError
+from ...oracle.synthesis.registry import design_answers, linkages, solvable
 from ...problem.problem import Problem
 from ...words import Words
 from .admissible import admissible
@@ -21,6 +24,17 @@ def conclusion(problem: Problem) -> Words | None:
     if found:
         told += Words("", " ") + rejected((number, one.verdict.value) for number, one in enumerate(found, 1))
     return told + (admissible(design) or _none_alone(design))
+
+
+def answered_or_ranged(design: Design) -> Mapping[str, float]:
+    """The exact answers; raises AssemblyError with where a datum had to lie, of data whose lines do not meet."""
+    try:
+        return design_answers(design)
+    except AssemblyError as error:
+        if isinstance(design, CrankRocker | SliderCrank) or (known := admissible(design)) is None:  # they tell it
+            raise
+        told = Words(f"；{known.zh.rstrip('。')}", f";{known.en.rstrip('.').replace(' With', ' with', 1)}")
+        raise AssemblyError(error.words + told, code=error.code, numbers=error.numbers) from None
 
 
 def _none_alone(design: Design) -> Words:
