@@ -234,7 +234,7 @@ def test_with_k_of_one_a_level_line_for_a_is_refused_with_the_upright_ones_that_
     data = {"K": "1", "CD": "60 mm", "swing": "50 deg"}
     with pytest.raises(AssemblyError, match=r"which a level line is parallel to.*\|x\| must be more than") as refused:
         _posed(data | {"A": f"on y = {height} mm"}).solve(by="exact")
-    half = 1e3 * refused.value.numbers["half"]
+    half = 1e3 * float(refused.value.numbers["half"])
     for side in (1, -1):
         assert (
             _posed(data | {"A": f"on x = {side * (half + 0.1)} mm"}).solve(by="exact").construction.conclusion is None
