@@ -130,6 +130,14 @@ class Solution(inside.Solution):
 
         return write_report([self], path, lang=lang, style=style, plain=plain)
 
+    @property
+    def linkage(self) -> Problem:
+        """Of a synthesis: the solution that is taken, as a problem of its own; its lengths are those read on paper.
+
+        Raises NotAskedError where nothing was to be found.
+        """
+        return _as(Problem, super().linkage)
+
     def __eq__(self, other: object) -> bool:
         return _same(self, other, inside.Solution)
 

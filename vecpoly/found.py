@@ -65,7 +65,7 @@ def verification(problem: Problem, candidates: Sequence[Candidate]) -> tuple[Ver
         return ()
     from .check.designs.found import verified  # late: a whole cycle, which other problems need not
 
-    found = (verified(problem.design, one.number, one.values, one.spread, one.lost) for one in _valid(candidates))
+    found = (verified(problem.design, one) for one in _valid(candidates))
     return tuple(one for one in found if one is not None)
 
 
@@ -82,12 +82,12 @@ def linkage(problem: Problem, candidates: Sequence[Candidate]) -> Problem:
         from .check.designs.found import linkage as made  # late, likewise
         from .check.designs.found import verified
 
-        moved = verified(problem.design, one.number, one.values, one.spread, one.lost)
+        moved = verified(problem.design, one)
         if moved is not None and moved.spoilt is not None:
             raise _spoilt(problem, moved.spoilt)
 
         name, title = f"{problem.id}-{problem.design.take}", _titled(problem, len(_valid(candidates)))
-        if (found := made(problem.design, one.values, name, title)) is not None:
+        if (found := made(problem.design, one.values, name, title, last=one.last)) is not None:
             return found
     if candidates and not _valid(candidates):
         raise _of_no_use(problem)

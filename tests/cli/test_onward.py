@@ -76,7 +76,7 @@ def test_a_synthesis_without_a_cycle_of_its_own_is_told_how_to_go_on(run: Run, w
     assert result.exit_code == 2 and "8-4 is a synthesis" in result.output and "--then analyse" in result.output
 
 
-@pytest.mark.parametrize("name", ["cognates", "straight-chebyshev", "8-1"])
+@pytest.mark.parametrize("name", ["cognates", "8-1"])
 def test_a_synthesis_that_ends_in_no_single_linkage_says_so(run: Run, name: str) -> None:
     result = run("solve", name, "--then", "analyse")
     assert result.exit_code == 2 and "is a task of synthesis, but its result is no single linkage" in result.output

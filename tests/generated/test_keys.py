@@ -28,6 +28,7 @@ MEMBERS, MANY = 6, 60
 OF_MANY_DATA = ("device", "rotor", "design-crank", "design-slider")  # and quickly written
 TAKEN = re.compile(r"\.(take|omega)$")  # of any task of synthesis: the same two keys
 NO_ANSWER_HANGS_ON = {
+    r"\.printed\[\]\.lost(=.*)?": "held against no answer of the problem, see tests/check/test_printed_lengths.py",
     r"\.errata.*|\.title_block.*|\.salt": "texts, and what seeds the numbers of students",
     r"\.extends": "told by retold-extends, whose members are other problems once more",
     r"\.tables|\.loads\.\*\.size\.table": "files beside the problem: a member is a text alone",

@@ -197,6 +197,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "printed.direction": (BASE, "direction: 150 deg", "direction: 10 deg"),
     "printed.kind": (BASE, "kind: graphical", "kind: calculated"),
     "printed.figures": (BASE, "kind: graphical", "kind: graphical, figures: 2"),
+    "printed.lost": (BASE, "kind: graphical", "kind: graphical, lost: yes"),
     "printed.note": (BASE, "note: read off", "note: other"),
     "vary": (BASE, "find:", "vary: {AB: 40 mm .. 44 mm by 1 mm}\nfind:"),
     "gate": (BASE, "find:", "gate: {alike: no}\nfind:"),

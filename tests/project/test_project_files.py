@@ -72,6 +72,12 @@ def test_the_file_that_is_damaged_below_is_sound(tmp_path: Path) -> None:
         ("from: 20 %", "form: 20 %", 14, "unknown key 'form'"),
         ("    find: [v_C, M_1]", "    also: [3 m]\n    find: [v_C, M_1]", 18, "not an angle"),
         ("    find: [theta", "    also: [3 deg]\n    find: [theta", 8, "'also' is for mechanisms only"),
+        (
+            "motion.K = 1.25 within 1 %",
+            "linkage.theta = 20 deg",
+            20,
+            "would hold whatever linkage is found.*motion.theta",
+        ),
         ("motion.K = 1.25 within 1 %", "motion.K is 1.25", 20, "is no demand; write e.g."),
         ("motion.K = 1.25 within 1 %", "motion.K <= 30 deg", 20, "of different kinds"),
         ("title: A feeder\n", "", 1, "'title' is missing"),

@@ -13,7 +13,8 @@ from tests.laws import few
 from vecpoly.check.grashof import grashof
 from vecpoly.report.answers.order import arranged, broken
 from vecpoly.report.content import conclusions
-from vecpoly.report.verification import MARGIN, as_moved, verification_table
+from vecpoly.report.verification import as_moved, verification_table
+from vecpoly.report.verification_heads import MARGIN
 from vecpoly.words import Lang
 
 
@@ -53,7 +54,7 @@ def test_what_a_solution_has_not_leaves_no_line() -> None:
 def test_a_solution_that_cannot_move_has_its_line_and_no_solution_is_left_out() -> None:
     found = table(FLAT)
     assert found["No."] == ("1", "2", "3")
-    assert found["Driver $AB$ rotates fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
+    assert found["Driver $DC$ rotates fully"] == ("no", "no", "does not move") and found["Order"][2] == "—"
 
 
 @pytest.mark.parametrize("lang", few(["zh", "en"], 2))
@@ -69,7 +70,7 @@ def test_a_solution_that_cannot_move_is_headed_as_of_no_use_in_the_words_of_a_re
     )
     (told,) = conclusions(solution, lang)
     assert " deg" not in told and ".." not in told
-    assert re.search(r"66\.\d+°(～| to )166\.\d+°", told)
+    assert re.search(r"91\.\d+°(～| to )171\.\d+°", told)
     assert {"zh": "不能使用", "en": "cannot be used"}[lang] in told
 
 

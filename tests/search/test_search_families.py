@@ -38,7 +38,7 @@ def test_the_output_of_the_six_bar_swings_as_the_general_solver_has_it(seed: int
     good = np.argsort(DWELL.score(x))[:1]
     for row in x[good]:
         assert np.isfinite(DWELL.score(row[None, :])).all()
-        ripple, swing, gamma = (float(one[0]) for one in DWELL._output(row[None, :]))
+        ripple, swing, gamma, _ = (float(one[0]) for one in DWELL._output(row[None, :]))
         built = problem({"id": "a", "title": "a", **DWELL.built(row)})
         told = {one.name.en: one.value for one in DWELL.measured(built)}
         turn = cycle(built, 721)

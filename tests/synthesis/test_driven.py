@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from math import cos, radians
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -9,6 +12,7 @@ from hypothesis import strategies as st
 import vecpoly
 from tests.generators.designed.driven import half_a_turn, rests
 from tests.laws import often
+from vecpoly.designs.verdict import Verdict
 from vecpoly.errors import AssemblyError
 from vecpoly.oracle.synthesis.registry import linkages
 
@@ -61,6 +65,33 @@ def test_a_drag_link_is_taken_where_its_driven_crank_turns_half_round_while_ab_i
     except AssemblyError:
         return  # the bisector is parallel to the ray
     assert not half_a_turn(solution)
+
+
+@pytest.mark.parametrize(("ad", "ab", "phi", "psi"), [(25, 60, 3.3, 53.2), (20, 80, 350, 320)])
+def test_a_drag_link_without_quick_return_is_found_where_half_a_turn_of_ab_is_half_a_turn_of_dc(
+    ad: float, ab: float, phi: float, psi: float
+) -> None:
+    """B₂ opposite to B₁, turned over about D, lies 2 AD beside B₁: C₁ stands AD beside B₁ on the ray."""
+    problem = drag_link(ad, ab, 1.0, phi, psi)
+    assert verdicts(problem) == ["VALID"]
+    solution = problem.solve(by="exact")
+    assert solution.answers["CD"].drawn == pytest.approx(ab * cos(radians(phi)) / cos(radians(psi)))
+    assert not half_a_turn(solution)
+
+
+def test_where_no_datum_alone_can_be_changed_the_conclusion_says_so_and_none_can() -> None:
+    data = {"ad": 47.0, "ab": 104.0, "k": 1.62, "phi": 87.0, "psi": 86.0}
+    ended = drag_link(**data).solve(by="exact").construction.conclusion
+    assert ended is not None and "alone, none was found" in ended.en and "单独改变 phi_1" in ended.zh
+    tried = {
+        "ad": (0.5 * n for n in range(1, 400)), "ab": (n for n in range(1, 400)), "phi": range(360),
+        "psi": range(360), "k": (1 + n / 50 for n in range(1, 250)),
+    }  # fmt: skip
+    for key, values in tried.items():
+        for value in values:
+            design = drag_link(**data | {key: float(value)}).design
+            with suppress(AssemblyError):
+                assert all(one.verdict is not Verdict.VALID for one in linkages(design)), (key, value)
 
 
 def dead_centre(ad: float, cd: float, psi_1: float, psi_2: float, phi: float) -> vecpoly.Problem:

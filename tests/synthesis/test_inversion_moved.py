@@ -52,7 +52,3 @@ def test_the_coupler_comes_through_three_positions(at: complex, deg: float) -> N
     b, c = at - 5j * turn, at + (46 + 9j) * turn
     assert found.values["AB"] == pytest.approx(abs(b - a), abs=1e-6)
     assert place("three-positions", degrees(cmath.phase(b - a)), "C") == pytest.approx(c - a, abs=1e-5)
-
-
-def test_a_step_that_finds_a_pin_on_a_coupler_goes_on_to_no_analysis() -> None:
-    assert solved(vecpoly.load("8-10")).verification == ()

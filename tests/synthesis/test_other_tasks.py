@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
+from math import asin, degrees
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -198,5 +201,23 @@ def test_an_offset_that_is_written_as_zero_is_none(kind: str, data: dict[str, st
 
 
 def test_a_slider_crank_without_quick_return_is_told_what_it_is() -> None:
-    with pytest.raises(ProblemFileError, match="e = 0 and AB = H/2, whatever BC"):
-        posed("slider-crank", K="1", H="50 mm", BC="90 mm")
+    with pytest.raises(ProblemFileError, match="e = 0 and AB = H/2, whatever BC: give BC instead"):
+        posed("slider-crank", K="1", H="50 mm", AB="25 mm")
+
+
+@pytest.mark.parametrize("hand", ["exact", "drafting", "pencil"])
+@pytest.mark.parametrize("coupler", [26.0, 90.0, 400.0])
+def test_a_central_slider_crank_is_drawn_from_its_stroke_and_its_coupler(hand: str, coupler: float) -> None:
+    solution = posed("slider-crank", K="1", H="50 mm", BC=f"{coupler} mm").solve(by=hand)
+    (one,) = solution.construction.candidates
+    near = pytest.approx if hand == "exact" else partial(pytest.approx, rel=0.05)
+    assert one.values["AB"] == near(25.0) and one.values["BC"] == near(coupler) and one.values["e"] == 0
+    assert one.values["alpha_max"] == near(degrees(asin(25 / coupler)))
+    (moved,) = solution.verification
+    assert moved.full and moved.ratio == near(1.0) and moved.stroke == near(50.0)
+
+
+def test_a_coupler_that_is_shorter_than_half_the_stroke_makes_no_central_slider_crank() -> None:
+    for coupler in ("25 mm", "20 mm"):
+        with pytest.raises(AssemblyError, match=r"BC may be at least 25\.01 mm"):
+            posed("slider-crank", K="1", H="50 mm", BC=coupler).solve()

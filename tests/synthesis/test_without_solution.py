@@ -226,3 +226,21 @@ def test_a_solution_that_is_asked_for_beyond_those_there_are_is_refused_with_how
     with pytest.raises(NotAskedError, match="BC_3: there are only 2 valid solutions") as refused:
         exact_values(vecpoly.loads(TWO_SOLUTIONS.replace("[BC, AD]", "[BC_3]")))
     assert refused.value.code == "no-solution" and refused.value.numbers == {"solutions": 2}
+
+
+@pytest.mark.parametrize("height", [10.0, 1e3 * 0.06 * math.cos(math.radians(25)), 90.0])
+def test_with_k_of_one_a_level_line_for_a_is_refused_with_the_upright_ones_that_serve(height: float) -> None:
+    """A lies on C₁C₂, which is level: the range told was from 54.378467223 to 54.378467222 mm."""
+    data = {"K": "1", "CD": "60 mm", "swing": "50 deg"}
+    with pytest.raises(AssemblyError, match=r"which a level line is parallel to.*\|x\| must be more than") as refused:
+        _posed(data | {"A": f"on y = {height} mm"}).solve(by="exact")
+    half = 1e3 * float(refused.value.numbers["half"])
+    for side in (1, -1):
+        assert (
+            _posed(data | {"A": f"on x = {side * (half + 0.1)} mm"}).solve(by="exact").construction.conclusion is None
+        )
+        assert _posed(data | {"A": f"on x = {side * (half - 0.1)} mm"}).solve(by="exact").construction.conclusion
+
+
+def _posed(data: dict[str, str]) -> vecpoly.Problem:
+    return vecpoly.problem({"id": "t", "title": "t", "synthesis": "crank-rocker", "data": data, "find": ["AB", "BC"]})

@@ -14,7 +14,8 @@ from ..words import Words
 class Candidate:
     """Its number, its pins (mm on paper, every position's), what was read of it, and why it is rejected.
 
-    kind: what linkage it is, where that is told.
+    kind: what linkage it is, where that is told. last: whether its other link on the frame must drive it, since with
+    the first one for the driver it does not come through its positions.
     verdict: the name of the reason, VALID where there is none; values: by the key of a quantity without a number,
     lengths in mm, angles in deg; spread: the expected drawing error of each, 3σ of the repeated hands; lost: the
     share of those that do not find it.
@@ -25,6 +26,7 @@ class Candidate:
     verdict: str
     reason: Words | None = None
     kind: Words | None = None
+    last: bool = False
     values: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
     spread: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
     lost: float = 0.0

@@ -133,6 +133,10 @@ class Design(BaseModel):
         """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
         return None
 
+    def driven_last(self, values: Mapping[str, float]) -> dict[str, Any] | None:
+        """The same with the other link on the frame for its driver; None of a task whose first link always drives."""
+        return None
+
     def one_of(self, *names: str, never: tuple[str, ...] = (), example: str = "70 mm") -> None:
         """Raise FaultError unless just one of these data is given, and none that has no place beside them.
 

@@ -33,13 +33,12 @@ class SliderCrank(Design):
 
     @model_validator(mode="after")
     def _determined(self) -> SliderCrank:
-        if self.K.si == 1:
+        if self.K.si == 1 and self.BC is None:
             raise FaultError(
                 Words(
-                    "K = 1：θ = 0，则 e = 0、AB = H/2，BC 任意，没有什么可作图求的；已知 AB、BC 时用 "
-                    "synthesis: slider-crank-limits，否则须 K > 1，如 1.5",
-                    "K = 1 means θ = 0, so that e = 0 and AB = H/2, whatever BC: nothing is left to be drawn; use "
-                    "synthesis: slider-crank-limits with AB and BC; else K > 1 is needed, e.g. 1.5",
+                    "K = 1：θ = 0，则 e = 0、AB = H/2，BC 任意；请改为给定 BC，如 BC: 120 mm，否则须 K > 1，如 1.5",
+                    "K = 1 means θ = 0, so that e = 0 and AB = H/2, whatever BC: give BC instead, e.g. BC: 120 mm; "
+                    "else K > 1 is needed, e.g. 1.5",
                 ),
                 code="out-of-range",
             )

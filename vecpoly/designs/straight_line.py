@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import cos, degrees, pi
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
 from ..devices.base import Angle, Length
 from ..errors import FaultError
 from ..names import Named
+from ..units.reading import Quantity
 from ..words import Words
 from .base import Design
 from .inversion.written import Place
+from .linkages import four_bar
 from .ranges import extremes
 
 L, BAND = Named("L", "L", "mm"), Named("delta", "δ", "mm")
@@ -82,12 +85,29 @@ class StraightLine(Design):
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The four-bar, its coupler point, the range."""
-        lengths = (("AB", self.AB), ("BC", self.BC), ("CD", self.CD), ("AD", self.AD))
         return (
-            *((f"l_{{{letters}}}", length.text) for letters, length in lengths),
+            *((f"l_{{{letters}}}", length.text) for letters, length in self.bars.items()),
             ("E", self.E.text),
             ("φ", f"{self.phi[0].text} … {self.phi[1].text}"),
         )
+
+    @property
+    def bars(self) -> Mapping[str, Quantity]:
+        """The four lengths."""
+        return {"AB": self.AB, "BC": self.BC, "CD": self.CD, "AD": self.AD}
+
+    @property
+    def is_given(self) -> bool:
+        """Of the linkage nothing is sought."""
+        return True
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The linkage as it is given, with its coupler point, in the middle of the range."""
+        data = four_bar({key: 1e3 * length.si for key, length in self.bars.items()}, self.omega)
+        spot = {"along": "BC", "at": f"{1e3 * self.E.at.real!r} mm", "left": f"{1e3 * self.E.at.imag!r} mm"}
+        data["links"] = data["links"] | {"2": data["links"]["2"] | {"E": spot}}
+        data["input"] = data["input"] | {"phi": f"{degrees(self.phi[0].si + self.phi[1].si) / 2!r} deg"}
+        return data | {"branch": [f"C {self.side} of BD"], "find": ["v_E", "omega_2", "omega_3", "a_E"]}
 
     @property
     def size(self) -> float:

@@ -9,13 +9,13 @@ from typing import Any, ClassVar
 
 from ..devices.base import Angle, Length, as_written
 from ..names import Named
-from .base import Design, Quick
+from .base import Advance, Design
 from .inversion.built import posed_four_bar
 from .linkages import four_bar
-from .quantities import AD, CD, FOUR_BAR, GAMMA_MIN
+from .quantities import AB, AD, CD, FOUR_BAR, GAMMA_MIN
 from .quantities import K as ADVANCE
 
-_DEAD_CENTRE = (Named("phi_12", "φ_{12}", "deg"), CD)
+_DEAD_CENTRE = (Named("phi_12", "φ_{12}", "deg"), CD, AD, Named("psi_1", "ψ_1", "deg"), Named("psi_2", "ψ_2", "deg"))
 
 
 class DeadCentre(Design):
@@ -67,7 +67,7 @@ class DeadCentre(Design):
         return 2 * self.AD.si
 
 
-_DRAG_LINK = (Named("phi_1", "φ_1", "deg"), ADVANCE, AD)
+_DRAG_LINK = (Named("phi_1", "φ_1", "deg"), ADVANCE, AD, Named("psi_1", "ψ_1", "deg"), AB)
 
 
 class DragLink(Design):
@@ -77,7 +77,7 @@ class DragLink(Design):
     kind: ClassVar[str] = "drag-link"
     AD: Length
     AB: Length
-    K: Quick
+    K: Advance
     phi_1: Angle
     psi_1: Angle
 

@@ -70,7 +70,8 @@ class Printed:
     """One printed answer: value in SI (signed where the print has a sign), as written, and its remarks.
 
     `paper_mm` and `scale` (SI per mm) are set where the print gives a length on paper. `rel` is None for
-    the length of a link (`l_BC`). figures: to so many the book reckoned on the way.
+    the length of a link (`l_BC`). figures: to so many the book reckoned on the way. lost: it belongs to data that are
+    lost, in whose place are our own, and is held only against the rest of the print.
     """
 
     symbol: str
@@ -83,6 +84,7 @@ class Printed:
     direction: float | None = None  # rad
     figures: int | None = None
     note: Words | None = None
+    lost: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from ..errors import FaultError
 from ..foundation.frozen import FrozenMap
 from ..problem.assignment import block_of
 from ..problem.load import locate
@@ -77,6 +78,24 @@ def _demands(spec: ProjectSpec, tree: Tree, parts: list[Part]) -> tuple[Demand, 
     found = []
     for i, one in enumerate(spec.demands):
         with faults.at("demands", i):
-            found.append(judged(one.say, one.that, drawn, exact))
+            judgement = judged(one.say, one.that, drawn, exact)
+            _refuse_given(judgement, parts)
+            found.append(judgement)
     faults.settle()
     return tuple(found)
+
+
+def _refuse_given(demand: Demand, parts: list[Part]) -> None:
+    """What the data of a task already are, no linkage can miss: such a demand would be met whatever is found."""
+    name, _, key = demand.name.partition(".")
+    part = next((one for one in parts if one.name == name), None)
+    if part is not None and part.finds and key in part.problem.design.settled():
+        raise FaultError(
+            Words(
+                f"{demand.name} 是“{name}”的已知数据（或仅由已知数据算得），不论求得什么机构都满足；"
+                f"请改为检验所得机构的量，如 motion.{key}",
+                f"{demand.name} is given to '{name}', or follows from what is given alone: it would hold whatever "
+                f"linkage is found; demand it of the linkage as it moves, e.g. motion.{key}",
+            ),
+            code="contradiction",
+        )

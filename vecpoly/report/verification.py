@@ -16,52 +16,31 @@ from ..foundation.slotted import dataclass
 from ..solution import Solution
 from ..words import Lang, Words, stopped
 from .flow.table import DataTable
+from .verification_heads import (
+    ALL_TURNS,
+    BETWEEN,
+    BROKEN,
+    CIRCUIT,
+    DRIVER,
+    ERROR,
+    GAMMA,
+    MARGIN,
+    MEANT,
+    NO,
+    NONE,
+    NUMBER,
+    OF_ALL,
+    ORDER,
+    SAID,
+    STROKE,
+    SWING,
+    TURNS,
+    TYPE,
+    TYPE_OF,
+    YES,
+)
 
-_NUMBER = Words("解", "No.")
-_NONE, _YES, _NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
 _SEEN = 0.005  # mm: less is no difference of lengths
-MARGIN = Words("杆长余量", "Margin")
-_ERROR, _CIRCUIT = Words("杆长相差", "Length error"), Words("无回路、分支缺陷", "No circuit or branch defect")
-_GAMMA = Words.same("$γ_{min}$")
-_TYPE = Words("机构类型", "Type")
-_TYPE_OF, _ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("连同杆组整周转动", "All links rotate fully")
-_MEANT = {  # heads that do not say all
-    _ERROR: Words(
-        "“杆长相差”为同一杆在各给定位置的最大长度之差",
-        "“Length error” is the largest difference of one link's length between the given positions",
-    ),
-    _CIRCUIT: Words(
-        "“无回路、分支缺陷”指机构不经重新装配即可依次通过各给定位置",
-        "“No circuit or branch defect”: the linkage passes through all given positions without reassembly",
-    ),
-    MARGIN: Words(
-        "“杆长余量”为其余两杆之和减去最短杆与最长杆之和",
-        "“Margin” is the sum of the two other links less that of the shortest and the longest",
-    ),
-    _ALL_TURNS: Words(
-        "“连同杆组整周转动”：四杆机构 $ABCD$ 的曲柄即使能转整周，加装的杆组也未必能随之转满一周",
-        "“All links rotate fully”: what is added to the four-bar linkage $ABCD$ need not follow a full turn of its "
-        "crank",
-    ),
-    _GAMMA: Words("$γ_{min}$ 为最小传动角", "$γ_{min}$ is the minimum transmission angle"),
-}
-_ORDER, _SWING, _STROKE = Words("次序", "Order"), Words("摆角", "Swing"), Words("行程", "Stroke")
-_BROKEN = Words("不能运动", "does not move")
-_SAID = {  # the same of a single solution, in a sentence
-    _ERROR: Words("同一杆在各给定位置的长度最多相差 {}", "the length of a link varies by {} at most"),
-    _CIRCUIT: Words("机构无回路缺陷和分支缺陷", "the linkage has no circuit or branch defect"),
-    _ORDER: Words("位置次序为 {}", "it takes them in the order {}"),
-    _TYPE: Words("为{}", "it is a {}"),
-    _TYPE_OF: Words("$ABCD$ 为{}", "type of $ABCD$: {}"),
-    MARGIN: Words(
-        "其余两杆之和减去最短杆与最长杆之和为 {}",
-        "the sum of the other two links less that of the shortest and the longest is {}",
-    ),
-    _SWING: Words("摆角为 {}", "the swing is {}"),
-    _STROKE: Words("行程为 {}", "the stroke is {}"),
-}
-_OF_ALL = Words("各解中，", "In every solution ")
-_TURNS = {_YES: Words("能", "turns"), _NO: Words("不能", "does not turn")}
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _SIZE = re.compile(r"([−\d.]+)(°| mm)(?: \([−\d.]+\2\))?")  # 40.75° (40.74°)
 _UNIT = re.compile(r"(?<=\d)(?:°| mm)")
@@ -88,7 +67,7 @@ def as_moved(solution: Solution, lang: Lang) -> tuple[DataTable | None, str]:
     alike = [n for n in range(len(lines[0]) if lines else 0) if len(lines) == 1 or _is_common(lines, n)]
     said = Words("，", "; ").of(lang).join(lines[0][n].clause.of(lang) for n in alike)
     apart = [[one for n, one in enumerate(line) if n not in alike] for line in lines]
-    told = stopped(f"{_OF_ALL.of(lang) if len(lines) > 1 else ''}{said}", lang) if said else ""
+    told = stopped(f"{OF_ALL.of(lang) if len(lines) > 1 else ''}{said}", lang) if said else ""
     return _table(solution, apart, lang), told
 
 
@@ -106,13 +85,14 @@ def _lines(solution: Solution) -> list[list[_Item]]:
     found = {one.number: one for one in solution.construction.candidates}
     true: dict[int, Mapping[str, float]] = dict(enumerate(exact(design), 1))
     mu = 1e3 * solution.construction.figures[0].scale.value
-    driver = next(one.driver for one in moved if one.broken is None)
+    drivers = {one.driver for one in moved if one.broken is None}
+    driver = drivers.pop() if len(drivers) == 1 else ""
     return [_Line(design, one, found[one.number], true.get(one.number, {}), mu, driver).items() for one in moved]
 
 
 def _told(lines: list[list[_Item]]) -> list[list[_Item]]:
     """Those that any of the solutions has."""
-    told = [n for n in range(len(lines[0]) if lines else 0) if any(line[n].cell != _NONE for line in lines)]
+    told = [n for n in range(len(lines[0]) if lines else 0) if any(line[n].cell != NONE for line in lines)]
     return [[line[n] for n in told] for line in lines]
 
 
@@ -120,7 +100,7 @@ def _table(solution: Solution, lines: list[list[_Item]], lang: Lang) -> DataTabl
     if not any(lines):
         return None
     told = _told(lines)
-    header = [_NUMBER.of(lang), *(one.head.of(lang) for one in told[0])]
+    header = [NUMBER.of(lang), *(one.head.of(lang) for one in told[0])]
     numbers = [str(one.number) for one in solution.verification]
     columns = [[line[n].cell.of(lang) for line in told] for n in range(len(told[0]))]
     named = [_in_head(head, cells) for head, cells in zip(header[1:], columns, strict=True)]
@@ -130,7 +110,7 @@ def _table(solution: Solution, lines: list[list[_Item]], lang: Lang) -> DataTabl
 
 def _in_head(head: str, cells: list[str]) -> tuple[str, list[str]]:
     """A unit that all numbers of a column have stands in its head."""
-    found = [_SIZE.fullmatch(cell) for cell in cells if cell != _NONE.zh]
+    found = [_SIZE.fullmatch(cell) for cell in cells if cell != NONE.zh]
     units = {one[2].strip() if one else "" for one in found}
     if len(units) != 1 or "" in units:
         return head, cells
@@ -141,7 +121,7 @@ def _in_head(head: str, cells: list[str]) -> tuple[str, list[str]]:
 def heads_told(table: DataTable | None, lang: Lang) -> str:
     """What the heads of that table mean that do not say all."""
     header = [] if table is None else [head.partition(" /")[0] for head in table.header]
-    told = [meant.of(lang) for head, meant in _MEANT.items() if head.of(lang) in header]
+    told = [meant.of(lang) for head, meant in MEANT.items() if head.of(lang) in header]
     return stopped(Words("；", "; ").of(lang).join(told), lang) if told else ""
 
 
@@ -169,22 +149,23 @@ class _Line:
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
         return [
             self._kept(),
-            _item(_CIRCUIT, self._yes()),
-            _item(_ORDER, self._order()),
-            _item(_TYPE_OF if self._added() else _TYPE, _NONE if one.kind is None else one.kind),
-            _item(MARGIN, _NONE if one.kind is None else Words.same(f"{column([one.margin], 1)[0]} mm")),
+            _item(CIRCUIT, self._yes()),
+            _item(ORDER, self._order()),
+            _item(TYPE_OF if self._added() else TYPE, NONE if one.kind is None else one.kind),
+            _item(MARGIN, NONE if one.kind is None else Words.same(f"{column([one.margin], 1)[0]} mm")),
             self._turning(),
             _item(Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
-            _item(_SWING if swings else _STROKE, self._beside(one.stroke, stroke, unit, 4)),
-            _item(_GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else _NONE),
+            _item(SWING if swings else STROKE, self._beside(one.stroke, stroke, unit, 4)),
+            _item(GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else NONE),
+            _item(BETWEEN, self._beside(one.between, "", "°", 4)),
         ]
 
     def _kept(self) -> _Item:
         """How much the bars differ in length from position to position, on paper; nothing where they do not."""
         spans = [self.mu * (max(lengths) - min(lengths)) for lengths in self._lengths() if len(lengths) > 1]
         if max(spans, default=0.0) < _SEEN:
-            return _item(_ERROR, _NONE)
-        return _item(_ERROR, Words.same(f"{max(spans):.2f} mm"))
+            return _item(ERROR, NONE)
+        return _item(ERROR, Words.same(f"{max(spans):.2f} mm"))
 
     def _lengths(self) -> Iterator[list[float]]:
         for one, two in self._bars():
@@ -214,36 +195,46 @@ class _Line:
 
     def _yes(self) -> Words:
         """A candidate of another circuit or branch is none that is valid."""
-        return _YES if self.positions > 1 and self.moved.broken is None else _NONE
+        return YES if self.positions > 1 and self.moved.broken is None else NONE
 
     def _turning(self) -> _Item:
         """Whether it turns right round, with what is added; of one that does not move with the lengths read, that."""
-        ab, added = self.driver, self._added()
-        head = _ALL_TURNS if added else Words(f"原动件 ${ab}$ 整周转动", f"Driver ${ab}$ rotates fully")
+        added = self._added()
+        if not self.driver:
+            return _item(DRIVER, self._own_driver())
+        ab = self.driver
+        head = ALL_TURNS if added else Words(f"原动件 ${ab}$ 整周转动", f"Driver ${ab}$ rotates fully")
         if self.moved.broken is not None:
-            return _item(head, _BROKEN)
-        cell = _YES if self.moved.full else _NO
-        turns = _TURNS[cell]
+            return _item(head, BROKEN)
+        cell = YES if self.moved.full else NO
+        turns = TURNS[cell]
         if added:
             clause = Words(f"连同杆组{turns.zh}整周转动", f"with the dyad added it {turns.en} fully")
         else:
             clause = Words(f"原动件 ${ab}$ {turns.zh}整周转动", f"the driver ${ab}$ {turns.en} fully")
         return _Item(head, cell, clause)
 
+    def _own_driver(self) -> Words:
+        """Where not all solutions are driven by one link: by which, and whether it turns right round."""
+        if self.moved.broken is not None:
+            return BROKEN
+        cell, ab = YES if self.moved.full else NO, f"${self.moved.driver}$"
+        return Words(f"{ab}，{cell.zh}", f"{ab}, {cell.en}")
+
     def _order(self) -> Words:
         order = " → ".join(map(str, range(1, self.positions + 1)))
-        return Words.same(order) if self.positions > 2 and self.moved.broken is None else _NONE
+        return Words.same(order) if self.positions > 2 and self.moved.broken is None else NONE
 
     def _beside(self, value: float, key: str, unit: str, digits: int) -> Words:
         if not isfinite(value):
-            return _NONE
+            return NONE
         exact = f" ({significant(self.exact[key], digits)}{unit})" if key in self.exact else ""
         return Words.same(f"{significant(value, digits)}{unit}{exact}")
 
 
 def _item(head: Words, cell: Words) -> _Item:
     """An item that stands in a sentence by its own words, or as it is headed."""
-    if (said := _SAID.get(head)) is not None:
+    if (said := SAID.get(head)) is not None:
         return _Item(head, cell, Words(said.zh.format(cell.zh), said.en.format(cell.en)))
     sign = Words.same(" = ") if head.en.startswith("$") else Words("：", ": ")
     return _Item(head, cell, head + sign + cell)

@@ -17,7 +17,7 @@ from ..oracle.families import circles, hinge
 from ..problem.problem import Problem
 from ..words import Words
 from .base import Measure
-from .four_bar import HIGH, LOW, Reals, Written, coupler, sound
+from .four_bar import HIGH, LOW, Reals, Written, coupler, longest, sound
 
 Points = NDArray[np.complex128]
 STEPS, INSIDE = 48, 16  # positions of a turn; of the dwell
@@ -28,12 +28,13 @@ MISSING = 4.0  # degrees of ripple that a degree of missing swing counts for
 @dataclass(frozen=True, eq=False, kw_only=True)
 class DwellSearch:
     """dwell: the crank's angle while the output is to rest (rad); swing: of the output at least (rad); crank: AB (m);
-    gamma: least transmission angle of both loops (rad)."""
+    gamma: least transmission angle of both loops (rad); longest: of the sides of the links and of the frame AD (m)."""
 
     dwell: float
     swing: float
     crank: float
     gamma: float
+    longest: float = np.inf
 
     @property
     def box(self) -> tuple[Reals, Reals]:
@@ -46,13 +47,14 @@ class DwellSearch:
 
     def score(self, x: Reals) -> Reals:
         """What GF moves in the dwell (degrees), more where it swings less than asked; infinite where it jams."""
-        ripple, swing, gamma = self._output(x)
+        ripple, swing, gamma, radius = self._output(x)
         missing = np.maximum(np.degrees(self.swing) - swing, 0.0)
-        good = self.possible(x) & np.isfinite(swing) & (swing < WIDEST) & (gamma >= self.gamma)
+        small = self.crank * np.maximum(longest(x), radius) <= self.longest
+        good = self.possible(x) & np.isfinite(swing) & (swing < WIDEST) & (gamma >= self.gamma) & small
         return np.where(good, ripple + MISSING * missing, np.inf)
 
-    def _output(self, x: Reals) -> tuple[Reals, Reals, Reals]:
-        """Ripple and swing in degrees, the least transmission angle at F (rad)."""
+    def _output(self, x: Reals) -> tuple[Reals, Reals, Reals, Reals]:
+        """Ripple and swing in degrees, the least transmission angle at F (rad), the length of EF."""
         inside = np.exp(1j * (x[:, 6:7] + self.dwell * np.linspace(0.0, 1.0, INSIDE)))
         whole = np.exp(1j * (x[:, 6:7] + 2 * np.pi * np.arange(STEPS) / STEPS))
         f_rests, radius = circles(coupler(x, inside))
@@ -65,7 +67,7 @@ class DwellSearch:
         reach = np.abs(coupler(x, whole) - g[:, None])
         cosine = (radius[:, None] ** 2 + x[:, 7:8] ** 2 - reach**2) / (2 * radius[:, None] * x[:, 7:8])
         gamma = np.arccos(np.clip(np.abs(cosine), 0.0, 1.0)).min(axis=1)
-        return np.ptp(rest, axis=1), np.ptp(turn, axis=1), gamma
+        return np.ptp(rest, axis=1), np.ptp(turn, axis=1), gamma, radius
 
     def built(self, x: Reals) -> Mapping[str, Any]:
         """The six-bar, its crank in the middle of the dwell."""

@@ -35,6 +35,14 @@ def coupler(x: Reals, crank: NDArray[np.complex128]) -> NDArray[np.complex128]:
     return b_pin + along * ((x[:, 4] + 1j * x[:, 5]) * x[:, 0])[:, None]
 
 
+def longest(x: Reals) -> Reals:
+    """The longest side of any of the links and of the frame: AB = 1, BC, CD, AD, and BE, CE of the coupler."""
+    spot = x[:, 4] + 1j * x[:, 5]
+    sides: Reals = np.maximum(np.abs(spot), np.abs(spot - 1.0)) * x[:, 0]
+    longest_side: Reals = np.maximum(np.maximum(x[:, :3].max(axis=1), sides), 1.0)
+    return longest_side
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Written:
     """A four-bar with its coupler point as a problem file says it; `scale`: what AB = 1 and the x axis become (m)."""

@@ -19,7 +19,7 @@ from ..cycle import cycle
 from ..problem.problem import Problem
 from ..words import Words
 from .base import Measure
-from .four_bar import HIGH, LOW, Reals, Written, coupler, sound
+from .four_bar import HIGH, LOW, Reals, Written, coupler, longest, sound
 
 Points = NDArray[np.complex128]
 POINTS, CRANKS = 32, 64  # of a curve; places of the crank between which it is taken to be straight
@@ -27,7 +27,8 @@ POINTS, CRANKS = 32, 64  # of a curve; places of the crank between which it is t
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class PathSearch:
-    """points: of the curve (m), in order; gamma: least transmission angle (rad); longest: of the bars (m)."""
+    """points: of the curve (m), in order; gamma: least transmission angle (rad); longest: of the sides of
+    the links and of the frame (m)."""
 
     points: tuple[complex, ...]
     closed: bool
@@ -68,7 +69,7 @@ class PathSearch:
             best = np.maximum(best, np.abs(self._correlated(curve, way)).max(axis=1) ** 2 / power)
         total = float(np.sum(np.abs(self.target) ** 2))
         error: Reals = np.sqrt(np.maximum(total - best, 0.0) / total)
-        bars = np.sqrt(best / power) * np.maximum(x[:, :3].max(axis=1), 1.0)  # |α| is the size of AB
+        bars = np.sqrt(best / power) * longest(x)  # |α| is the size of AB
         return np.where(np.isfinite(error) & (bars <= self.longest), error, np.inf)
 
     def _curves(self, x: Reals) -> tuple[Points, Reals]:

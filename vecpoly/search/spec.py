@@ -27,6 +27,7 @@ from .transmission import TransmissionSearch
 
 _GAMMA = Quantity(0.5235987755982988, "30 deg")
 _RIGHT = 1.5707963267948966
+LONG = 10.0  # cranks: of the longest side of a link that is found where the file says none
 
 
 class _Data(BaseModel):
@@ -64,12 +65,17 @@ class PathData(_Data):
 
 
 class DwellData(_Data):
-    """How long the output rests (angle of the crank), how far it swings at least, the crank."""
+    """How long the output rests (angle of the crank), how far it swings at least, the crank.
+
+    longest: LONG times the crank where nothing is said, for an arc of so large a radius that it is nearly straight is
+    easily found and gives a rod that nobody makes.
+    """
 
     dwell: Angle
     swing: Angle
     AB: Length
     gamma_min: Angle = _GAMMA
+    longest: Length | None = None
 
     @model_validator(mode="after")
     def _possible(self) -> DwellData:
@@ -87,7 +93,10 @@ class DwellData(_Data):
 
     def search(self) -> Search:
         """A six-bar."""
-        return DwellSearch(dwell=self.dwell.si, swing=self.swing.si, crank=self.AB.si, gamma=self.gamma_min.si)
+        longest = LONG * self.AB.si if self.longest is None else self.longest.si
+        return DwellSearch(
+            dwell=self.dwell.si, swing=self.swing.si, crank=self.AB.si, gamma=self.gamma_min.si, longest=longest
+        )
 
 
 class TransmissionData(_Data):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import groupby
+from itertools import groupby, pairwise
 from math import atan, degrees, inf, pi
 
 import numpy as np
@@ -21,6 +21,8 @@ TRIED = 240  # places of a datum that are looked at
 HALVINGS = 30  # between one that serves and one that does not
 LONGEST = 30.0  # sizes of the task: a length that is tried; the shortest is as much smaller, and one figure more
 GREATEST = 6.0  # a time ratio that is tried
+SAME = 1e-4  # of the size of the task, or rad: so near the given value others serve where it alone does not
+ANY = Words("任何值", "any")
 Places = NDArray[np.float64]
 
 
@@ -31,12 +33,28 @@ def admissible(design: Design) -> Words | None:
         serves = _serves(datum)
         rows = ([*_ranges(serves, *tried, datum.value)] for tried in _tried(design, datum))
         if ranges := next(filter(None, rows), None):
-            told = between([(_told(low, datum.unit), _told(high, datum.unit)) for low, high in ranges], datum.unit)
+            whole, left_out = _merged(ranges, design, datum)
+            told = between([(_told(low, datum.unit), _told(high, datum.unit)) for low, high in whole], datum.unit)
+            told = ANY if whole == [(-inf, inf)] else told
+            zh = f"{datum.name.zh}{' ' * datum.name.zh[-1].isascii()}可取{told.zh.rstrip()}{left_out.zh}"
             return Words(
-                f"其余数据不变时，{datum.name.zh}{' ' * datum.name.zh[-1].isascii()}可取{told.zh.rstrip()}。",
-                f" With all else as it is, {datum.name.en} may be {told.en}.",
+                f"其余数据不变时，{zh}。", f" With all else as it is, {datum.name.en} may be {told.en}{left_out.en}."
             )
     return None
+
+
+def _merged(
+    ranges: list[tuple[float, float]], design: Design, datum: Datum[Design]
+) -> tuple[list[tuple[float, float]], Words]:
+    """The same where two of them lie on both sides of what is given, which alone does not serve, as one, and that it
+    does not."""
+    gap = SAME * (design.size if datum.unit == "mm" else 1.0)
+    for n, ((_, low), (high, _)) in enumerate(pairwise(ranges)):
+        if low <= datum.value <= high <= low + gap:
+            given = f"{_told(datum.value, datum.unit):.6g} {datum.unit}".rstrip()
+            joined = [*ranges[:n], (ranges[n][0], ranges[n + 1][1]), *ranges[n + 2 :]]
+            return joined, Words(f"，但不得为 {given}", f", but not {given}")
+    return ranges, Words("", "")
 
 
 def _told(end: float, unit: str) -> float:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import degrees, nan
-from typing import Any
+from math import degrees, isfinite, nan
+from typing import Any, Protocol
 
 from ...cycle.cycle import Cycle
 from ...cycle.facts.found import facts
@@ -18,7 +18,8 @@ from ...problem.problem import Problem
 from ...problem.values.made import problem as made
 from ...words import Words, bare
 from ..candidates import exact
-from ..grashof import grashof
+from .four_bars import type_of
+from .working import least_between
 
 LOOSE = 0.02  # of a length: an expected drawing error above which the construction is called ill-conditioned
 
@@ -31,10 +32,11 @@ class Verified:
     """One solution as it moves. driver: the letters of its input link. kind, margin (mm): of a four-bar.
 
     stroke: of the last link, in `unit` (° or mm). gamma, gamma_at: least transmission angle and the crank's angle there
-    (deg). loose: key of each length of which the drawing tells less than 2 %, with what it may be off by. lost: the
-    share of repeated hands that do not find it, where they are more than a few. assumed: what was not given, and is
-    taken for it to be moved. broken: why it does not move. spoilt: what it is exactly, where it is of another type with
-    the lengths read.
+    (deg). between: of one that does not turn right round the least transmission angle from the first of the given
+    positions to the last. loose: key of each length of which the drawing tells less than 2 %, with what it may be off
+    by. lost: the share of repeated hands that do not find it, where they are more than a few. assumed: what was not
+    given, and is taken for it to be moved. broken: why it does not move. spoilt: what it is exactly, where it is of
+    another type with the lengths read.
     """
 
     number: int
@@ -48,6 +50,7 @@ class Verified:
     unit: str = ""
     gamma: float = nan
     gamma_at: float = nan
+    between: float = nan
     loose: Mapping[str, float]
     lost: float = 0.0
     assumed: Words | None = None
@@ -63,6 +66,7 @@ class Verified:
             "gamma_min_deg": self.gamma,
             "gamma_min_at_deg": round(self.gamma_at, 9) % 360,  # 3e-13 is the rounding of a whole turn
         }
+        told |= {"gamma_min_between_positions_deg": self.between} if isfinite(self.between) else {}
         stroke = {"swing_deg" if self.unit == "°" else "stroke_mm": self.stroke}
         ill = {"ill_conditioned": dict(self.loose)} if self.loose else {}
         moved = {"broken": self.broken.en} if self.broken else {"turns_fully": self.full, **kind, **told, **stroke}
@@ -71,49 +75,69 @@ class Verified:
         return {"solution": self.number, **moved, **ill, **lost, **spoilt}
 
 
-def linkage(design: Design, values: Mapping[str, float], name: str, title: Words | None = None) -> Problem | None:
-    """The problem of a linkage with these lengths (mm), its crank as the input; None of a task that builds none."""
-    data, called = design.built(values), title or Words.same(name)
+class AsRead(Protocol):
+    """A solution as it is read off the paper: its number, its pins in all positions, values and what the hand may be
+    off by in each; last: whether its last link drives it; lost: the share of repeated hands that do not find it."""
+
+    @property
+    def number(self) -> int: ...
+    @property
+    def pins(self) -> Mapping[str, complex]: ...
+    @property
+    def values(self) -> Mapping[str, float]: ...
+    @property
+    def spread(self) -> Mapping[str, float]: ...
+    @property
+    def last(self) -> bool: ...
+    @property
+    def lost(self) -> float: ...
+
+
+def linkage(
+    design: Design, values: Mapping[str, float], name: str, title: Words | None = None, *, last: bool = False
+) -> Problem | None:
+    """The problem of a linkage with these lengths (mm), its crank as the input, or where only its last link drives it
+    that; None of a task that builds none."""
+    data, called = design.driven_last(values) if last else design.built(values), title or Words.same(name)
     return None if data is None else made({"id": name, "title": {"zh": called.zh, "en": called.en}, **data})
 
 
-def verified(
-    design: Design, number: int, values: Mapping[str, float], spread: Mapping[str, float], lost: float = 0.0
-) -> Verified | None:
-    """What the linkage with the values that were read does; spread: what the hand may be off by in each of them; lost:
-    the share of repeated hands that do not find it."""
+def verified(design: Design, one: AsRead) -> Verified | None:
+    """What the linkage of a candidate does, built with the values that were read."""
+    number, values, spread = one.number, one.values, one.spread
     loose = {
         key: spread[key] / abs(values[key])
         for key in spread
         if design.is_length(key) and spread[key] > LOOSE * abs(values[key]) > 0
     }
-    lost = lost if lost > RARE else 0.0
+    lost = one.lost if one.lost > RARE else 0.0
     if none := [key for key in values if design.is_length(key) and key.isupper() and not values[key] > 0]:
         return Verified(number=number, loose=loose, lost=lost, broken=_nothing(none))
     try:
-        found = linkage(design, values, f"solution-{number}")
+        found = linkage(design, values, f"solution-{number}", last=one.last)
         if found is not None and (short := _vanishing(found.mechanism)):
             return Verified(number=number, loose=loose, lost=lost, broken=short)
-        moved = None if found is None else _moved(number, values, loose, cycle(found.mechanism, 181))
-        if moved is None:
+        if found is None:
             return None
-        return replace(moved, lost=lost, assumed=design.assumed(values), spoilt=_spoilt(design, moved))
+        turn = cycle(found.mechanism, 181)
+        moved = replace(_moved(design, one, loose, turn), lost=lost, assumed=design.assumed(values))
+        return replace(moved, spoilt=_spoilt(design, moved, last=one.last))
     except VecpolyError as error:
         return Verified(number=number, loose=loose, lost=lost, broken=error.words)
 
 
-def _spoilt(design: Design, read: Verified) -> Words | None:
+def _spoilt(design: Design, read: Verified, *, last: bool) -> Words | None:
     """What the solution is by the closed form, where reading off the paper made a linkage of another type of it, or one
     whose driver does not turn."""
     known = exact(design)
     if not 0 < read.number <= len(known):
         return None
     values = known[read.number - 1]
-    kind, margin = _type_of(values)
+    kind, margin = type_of(design, values)
     same = kind is None or read.kind is None or kind.en == read.kind.en
     if same and read.full:
         return None
-    found = linkage(design, values, "exactly")
+    found = linkage(design, values, "exactly", last=last)
     turns = found is not None and cycle(found.mechanism, 181).whole
     if same and turns == read.full:
         return None
@@ -127,12 +151,6 @@ def _spoilt(design: Design, read: Verified) -> Words | None:
         f"with the exact lengths it is: {', '.join(part.en for part in parts)}; with those read it is not: they are "
         f"of no use. Computed are {', '.join(told)}",
     )
-
-
-def _type_of(values: Mapping[str, float]) -> tuple[Words | None, float]:
-    """Of a four-bar with these lengths the type, and the margin of Grashof's condition (mm)."""
-    lengths = [values[key] for key in ("AB", "BC", "CD", "AD") if key in values]
-    return grashof(*lengths) if len(lengths) == 4 else (None, nan)
 
 
 def _nothing(keys: Sequence[str]) -> Words:
@@ -151,14 +169,15 @@ def _vanishing(mech: Mechanism) -> Words | None:
     return None
 
 
-def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float], turn: Cycle) -> Verified:
+def _moved(design: Design, one: AsRead, loose: Mapping[str, float], turn: Cycle) -> Verified:
     seen = facts(turn)
-    kind, margin = _type_of(values)
+    kind, margin = type_of(design, one.values)
+    driver = "".join(turn.mech.link(turn.mech.drive.link).axis)
     stroke, least = (seen.strokes or (None,))[-1], min((t.least for t in seen.transmissions), key=_value, default=None)
     angle = stroke is not None and stroke.key.startswith("phi")
     return Verified(
-        number=number,
-        driver="".join(turn.mech.link(turn.mech.drive.link).axis),
+        number=one.number,
+        driver=driver,
         full=turn.whole,
         kind=kind,
         margin=margin,
@@ -168,6 +187,7 @@ def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float],
         unit="°" if angle else "mm",
         gamma=degrees(least.value) if least else nan,
         gamma_at=degrees(least.phi) % 360 if least else nan,
+        between=nan if turn.whole else degrees(least_between(turn, one.pins, driver)),
         loose=loose,
     )
 

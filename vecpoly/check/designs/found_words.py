@@ -6,21 +6,23 @@ from collections.abc import Iterable, Sequence
 from math import isfinite
 
 from ...words import Words
+from ..grashof import CRANK_ROCKER, DOUBLE_CRANK
 from .found import LOOSE, Verified
 
 CANNOT = Words("不能整周转动", "cannot turn right round")
 
 
-def told(one: Verified, alone: bool) -> Words:
-    """The line of verification of one solution; alone: there is no other."""
+def told(one: Verified, alone: bool, *, given: bool = False) -> Words:
+    """The line of verification of one solution; alone: there is no other. given: its lengths are, and none is read."""
     zh, en = ("", "") if alone else (f"解 {one.number}，", f" of solution {one.number}")
     if one.broken is not None:
         return Words(f"校核（{zh}按量得的长度）：", f"Check{en} with the lengths read: ") + Words(
             f"该解不能使用：{one.broken.zh}。", f"it cannot be used: {one.broken.en}."
         )
+    lengths = Words("给定的杆长", "the given lengths") if given else Words("量得的长度", "the lengths read")
     own = Words("", "") if one.assumed is None else Words("和", " and ") + one.assumed
     head = Words(
-        f"校核（{zh}按量得的长度{own.zh}用解析法计算）：", f"Check{en}, computed with the lengths read{own.en}: "
+        f"校核（{zh}按{lengths.zh}{own.zh}用解析法计算）：", f"Check{en}, computed with {lengths.en}{own.en}: "
     )
     parts = list(_parts(one))
     said = head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
@@ -33,7 +35,9 @@ def _parts(one: Verified) -> list[Words]:
     parts = []
     if one.kind is not None:
         parts.append(one.kind + _margin(one.margin))
-    driver = Words(f"原动件 ${one.driver}$ ", f"the driver ${one.driver}$ ")
+    crank = one.kind in (CRANK_ROCKER, DOUBLE_CRANK)  # of the four-bar, to which what is added need not follow it
+    added = Words("连同所加的杆组，", "with what is added ") if crank and not one.full else Words("", "")
+    driver = added + Words(f"原动件 ${one.driver}$ ", f"the driver ${one.driver}$ ")
     parts.append(driver + (Words("可整周转动", "turns right round") if one.full else CANNOT))
     if isfinite(one.ratio):
         name = Words("摆角", "swing") if one.unit == "°" else Words("行程", "stroke")
@@ -46,6 +50,13 @@ def _parts(one: Verified) -> list[Words]:
             Words(
                 f"最小传动角 {one.gamma:.2f}°（曲柄转角 {one.gamma_at:.1f}° 处）",
                 f"minimum transmission angle {one.gamma:.2f}° (crank at {one.gamma_at:.1f}°)",
+            )
+        )
+    if isfinite(one.between):
+        parts.append(
+            Words(
+                f"在给定各位置之间的最小传动角 {one.between:.2f}°",
+                f"minimum transmission angle between the given positions {one.between:.2f}°",
             )
         )
     return parts
@@ -120,9 +131,9 @@ def _lost(one: Verified, alone: bool) -> Words | None:
     """That some hands do not find the solution at all."""
     if not one.lost:
         return None
-    zh, en = ("该解", "The solution") if alone else (f"解 {one.number}", f"Solution {one.number}")
+    zh, en = ("该解", "The solution") if alone else (f"解 {one.number} ", f"Solution {one.number}")
     return Words(
-        f"（{zh} 在 {100 * one.lost:.0f} % 的重复作图中消失：所给数据的微小误差即令其不存在。）",
+        f"（{zh}在 {100 * one.lost:.0f} % 的重复作图中消失：所给数据的微小误差即令其不存在。）",
         f" ({en} vanishes in {100 * one.lost:.0f} % of the repeated drawings: a small error in what is given is "
         "enough.)",
     )

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from ...designs.base import Design
-from ...oracle.synthesis.registry import linkages, solvable
+from ...designs.crank_rocker import CrankRocker
+from ...designs.slider_crank import SliderCrank
+from ...errors import AssemblyError
+from ...oracle.synthesis.registry import design_answers, linkages, solvable
 from ...problem.problem import Problem
 from ...words import Words
 from .admissible import admissible
@@ -20,7 +23,36 @@ def conclusion(problem: Problem) -> Words | None:
     told, found = Words("没有机构满足所给条件。", "No linkage satisfies the conditions."), linkages(design)
     if found:
         told += Words("", " ") + rejected((number, one.verdict.value) for number, one in enumerate(found, 1))
-    return told if (known := admissible(design)) is None else told + known
+    return told + (admissible(design) or _none_alone(design))
+
+
+def answered_or_ranged(design: Design) -> Mapping[str, float]:
+    """The exact answers; raises AssemblyError with where a datum had to lie, of data whose lines do not meet."""
+    try:
+        return design_answers(design)
+    except AssemblyError as error:
+        if isinstance(design, CrankRocker | SliderCrank) or (known := admissible(design)) is None:  # they tell it
+            raise
+        told = Words(f"；{known.zh.rstrip('。')}", f";{known.en.rstrip('.').replace(' With', ' with', 1)}")
+        raise AssemblyError(error.words + told, code=error.code, numbers=error.numbers) from None
+
+
+def _none_alone(design: Design) -> Words:
+    """That nothing was found by changing one of the data; nothing where none is told of."""
+    names = [datum.name for datum in design.varied()]
+    if not names:
+        return Words("", "")
+    zh = _spaced("、".join(name.zh for name in names))
+    return Words(
+        f"单独改变{zh}中的任何一个，均未找到可用的机构；须同时改动几个数据。",
+        f" Changing {' or '.join(name.en for name in names)} alone, none was found that serves: change several of the "
+        "data.",
+    )
+
+
+def _spaced(told: str) -> str:
+    """With a space where a letter stands beside a Chinese word."""
+    return f"{' ' * told[0].isascii()}{told}{' ' * told[-1].isascii()}"
 
 
 def rejected(candidates: Iterable[tuple[int, Words]]) -> Words:

@@ -13,8 +13,10 @@ from ...names import Kind, Rel, parse_rel
 from ...problem.problem import Printed, Problem
 from ...words import Words
 from ..truth import truth_of
+from .among import among
 from .direction import with_directions
 from .follow import follow
+from .misprint import with_misprints
 from .possible import BestFit, best_fit
 from .verdict import FACTORS, GRAPHICAL, SLIP, Checked, Verdict, check_printed
 
@@ -39,7 +41,7 @@ def check_problem(problem: Problem) -> PrintedCheck:
     known = truth_of(problem)
     truth = known.behind()
     for printed in problem.printed:
-        exact = truth(printed)
+        exact = None if printed.lost else truth(printed)
         if exact is None:
             skipped.append(printed)
         else:
@@ -47,7 +49,10 @@ def check_problem(problem: Problem) -> PrintedCheck:
     if problem.loads:
         checked = follow(checked, problem.loads, _by_key(problem, truth))
     checked = with_directions(known, checked)
+    if isinstance(problem.subject, Design):
+        checked = with_misprints(checked)
     whole, fit = _together(problem, checked)
+    whole = whole or among(problem, skipped)
     return PrintedCheck(answers=tuple(checked), unchecked=tuple(skipped), whole=whole, fit=fit)
 
 

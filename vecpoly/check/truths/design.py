@@ -16,6 +16,7 @@ from ...names import Rel
 from ...oracle.synthesis.registry import Linkage, candidates, counted, design_answers, linkages, solvable
 from ...problem.problem import Printed, Problem
 from ...words import Words
+from ..designs.unsolvable import answered_or_ranged
 from ..nudged import TRIALS, nudged_data
 from ..truth import ActsAt, Values, finite, knows
 
@@ -41,7 +42,7 @@ class DesignTruth:
 
         Raises NotAskedError for one solution more than there are.
         """
-        found, asked = design_answers(self.design), [ask.rel.key for ask in self.problem.asks]
+        found, asked = answered_or_ranged(self.design), [ask.rel.key for ask in self.problem.asks]
         if not solvable(self.design):
             return finite({key: found[key] for key in asked if key in found})
         for key in asked:

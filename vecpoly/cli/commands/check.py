@@ -96,7 +96,9 @@ def _check_printed(found: list[Problem], tally: Tally, json: Path | None, lang: 
         data = [_as_json(problem, result) for problem, result in checked]
         write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
-    if any(line.verdict is Verdict.WRONG for _, result in checked for line in result.answers):
+    if any(line.verdict is Verdict.WRONG for _, result in checked for line in result.answers) or any(
+        result.whole is not None for _, result in checked
+    ):
         raise typer.Exit(DISAGREES)
 
 

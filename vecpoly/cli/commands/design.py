@@ -83,7 +83,7 @@ def _place(output: Path | None, name: str, lang: Lang) -> Path:
 
 def _tell(found: Project, lang: Lang, tally: Tally, *, quiet: bool) -> None:
     """The demands as a table; what is to be noted of the parts."""
-    from ...report.project.binder import amount
+    from ...report.project.binder import allowed, amount
 
     for part in found.parts:
         warn(part.problem.id, part.solution.warnings, lang)
@@ -93,6 +93,6 @@ def _tell(found: Project, lang: Lang, tally: Tally, *, quiet: bool) -> None:
         return
     made = table("", [(head, "left" if i in (0, 4) else "right") for i, head in enumerate(_COLUMNS[lang])])
     for one in found.demands:
-        cells = (f"{one.sign} {amount(one.asked)}", amount(one.drawn), amount(one.exact), _VERDICT[one.holds].of(lang))
+        cells = (allowed(one), amount(one.drawn), amount(one.exact), _VERDICT[one.holds].of(lang))
         add(made, (bare(one.say.of(lang)), *cells), alarmed=not one.holds)
     show(made)

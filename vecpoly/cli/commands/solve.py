@@ -121,9 +121,9 @@ def _print_verified(solution: Solution, lang: Lang) -> None:
     from ...check.designs.several import several_of
     from ...check.truth import truth_of
 
-    alone = len(solution.verification) == 1
+    alone, given = len(solution.verification) == 1, solution.problem.design.is_given
     for one in solution.verification:
-        for words in (told(one, alone), ill_conditioned(one, alone)):
+        for words in (told(one, alone, given=given), ill_conditioned(one, alone)):
             if words is not None:
                 typer.echo(bare(words.of(lang)))
     if (several := several_of(solution.problem, truth_of(solution.problem))) is not None:

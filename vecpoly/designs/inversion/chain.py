@@ -17,11 +17,8 @@ Spots = dict[str, complex]
 
 
 def chain(plan: Plan, values: Mapping[str, float], omega: Quantity | None) -> dict[str, Any] | None:
-    """The linkage with the lengths that were read (mm); None where a pin is on a link that turns about no pivot, or a
-    guide lies at an angle."""
-    level = all(abs(slide.along.real) < 1e-9 or abs(slide.along.imag) < 1e-9 for slide in plan.slides)
-    finds = [stage for stage in plan.stages if isinstance(stage, Find)]
-    if not level or not all(plan.turns(stage.on) for stage in finds):
+    """The linkage with the lengths that were read (mm); None where a guide lies at an angle."""
+    if not all(abs(slide.along.real) < 1e-9 or abs(slide.along.imag) < 1e-9 for slide in plan.slides):
         return None
     at = _spots(plan, values)
     turning = _turning(plan)
@@ -63,6 +60,8 @@ def _spots(plan: Plan, values: Mapping[str, float]) -> Spots:
 def _found(stage: Stage, plan: Plan, at: Spots, values: Mapping[str, float]) -> Spots:
     """What a stage has found."""
     match stage:
+        case Find() if not plan.turns(stage.on):
+            return {stage.pin: _carried(stage, plan, at[stage.known], values)}
         case Find():
             pivot = stage.on[0]
             limit = next((one for one in plan.stages if isinstance(one, Limits) and one.of == stage.on), None)
@@ -84,6 +83,23 @@ def _found(stage: Stage, plan: Plan, at: Spots, values: Mapping[str, float]) -> 
             return {}
 
 
+def _carried(stage: Find, plan: Plan, pivot: complex, values: Mapping[str, float]) -> complex:
+    """In the first position the pin of a coupler that hangs on a slider, on the link about this pivot: of the two
+    places at its distances from both the one that has them in the other positions too."""
+    first, *others = plan.body(stage.on).positions
+    span, far = MM * first.at - pivot, _length(values, stage.on[0], stage.pin)
+    near = _length(values, stage.known, stage.pin)
+    along = (abs(span) ** 2 + near**2 - far**2) / (2 * abs(span))
+    across = sqrt(max(near**2 - along**2, 0.0))
+    places = [pivot + span / abs(span) * complex(along, side * across) for side in (1, -1)]
+
+    def off(place: complex) -> float:
+        arm = (place - MM * first.at) * exp(-1j * first.angle)
+        return sum(abs(abs(MM * at.at + arm * exp(1j * at.angle) - pivot) - near) for at in others)
+
+    return min(places, key=off)
+
+
 def _length(values: Mapping[str, float], one: str, two: str) -> float:
     return values[one + two] if one + two in values else values[two + one]
 
@@ -96,7 +112,7 @@ def _turning(plan: Plan) -> dict[str, list[str]]:
         for pivot, pin in ends:
             known = pins.setdefault(pivot, [])
             known += [] if pin in known else [pin]
-    driver = next((body.pivot for body in plan.bodies if body.pivot), "")
+    driver = next((body.pivot for body in plan.bodies if body.pivot), next(iter(pins)))
     driver = next((stage.about for stage in plan.stages if isinstance(stage, Limits)), driver)
     return {driver: pins[driver]} | pins
 

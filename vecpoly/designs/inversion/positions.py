@@ -108,6 +108,11 @@ class Positions(Design):
         ab, dc, ad = (values[named.key] for named in (TURN_AB, TURN_DC, TURN_AD))
         return posed_four_bar(values, ab, dc, ad, self.omega)
 
+    def driven_last(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The same, DC driving it."""
+        ab, dc, ad = (values[named.key] for named in (TURN_AB, TURN_DC, TURN_AD))
+        return posed_four_bar(values, ab, dc, ad, self.omega, last=True)
+
     def given(self) -> tuple[tuple[str, str], ...]:
         """The pins, the lines."""
         pins = tuple((letter, place.text) for letter, place in (*self.body.items(), *self.frame.items()))

@@ -32,13 +32,15 @@ SHEET = View.MECHANISM
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
-    """A candidate on paper: its number, pins by every hand (mm), verdict, by what it is ordered, what linkage it is."""
+    """A candidate on paper: its number, pins by every hand (mm), verdict, by what it is ordered, what linkage it is,
+    and whether its last link must drive it."""
 
     number: int
     pins: Mapping[str, Points]
     verdict: Verdict
     order: tuple[float, ...]
     kind: Words | None
+    last: bool = False
 
 
 @dataclass(slots=True)
@@ -48,8 +50,9 @@ class Draft(Bench):
     numbers: the number of each candidate in the order in which they are found, as a first sketch tells it, and how many
     of them are valid. sketched: the candidates of that sketch, at the scale of this sheet. asked: the keys that are to
     be read. take: the number of the solution that is taken. rejected: whether the candidate found next is no solution.
-    kind: what linkage that is. parts: with which step what is drawn for another solution alone begins, and how
-    many have been found before. steps: by so many round scales a figure of angles may be drawn larger.
+    kind, last: what linkage it is, whether its last link must drive it. parts: with which step what is drawn for
+    another solution alone begins, and how many have been found before. steps: by so many round scales a figure of
+    angles may be drawn larger.
     """
 
     numbers: tuple[int, ...] = ()
@@ -60,6 +63,7 @@ class Draft(Bench):
     asked: frozenset[str] = frozenset()
     rejected: bool = False
     kind: Words | None = None
+    last: bool = False
     found: list[Found] = field(default_factory=list)
     parts: list[tuple[int, int]] = field(default_factory=list)
 
@@ -97,8 +101,10 @@ class Draft(Bench):
     def candidate(self, verdict: Verdict, order: tuple[Reals, ...], **pins: Points) -> None:
         """A candidate is finished; the next has another number."""
         by = tuple(float(nominal(value)) for value in order)
-        self.found.append(Found(number=self.number, pins=pins, verdict=verdict, order=by, kind=self.kind))
-        self.rejected, self.kind = False, None
+        self.found.append(
+            Found(number=self.number, pins=pins, verdict=verdict, order=by, kind=self.kind, last=self.last)
+        )
+        self.rejected, self.kind, self.last = False, None, False
 
     def paired(self, found: Sequence[Mapping[str, Points]]) -> None:
         """What is about to be found, by its pins, where a hand finds more or fewer than the sketch: each has the number
@@ -232,6 +238,7 @@ class Draft(Bench):
             verdict=one.verdict.name,
             reason=None if valid else one.verdict.value,
             kind=one.kind,
+            last=one.last,
             values=FrozenMap({key: read[name].scalar for key, name in kept.items() if valid}),
             spread=FrozenMap({key: spread(found[name]) for key, name in kept.items() if valid}),
             lost=max(map(lost, one.pins.values()), default=0.0),

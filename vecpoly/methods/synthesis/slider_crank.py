@@ -27,6 +27,8 @@ from .pressure import greatest_pressure
 from .registry import design_method
 
 CORNER = 3.0  # mm: a right angle has room
+_PIVOT = Words("求 $A$ 点和各构件长度", "The point $A$ and the lengths")
+_MIDDLE = Words("求 $M$", "finding $M$")
 BEYOND, BELOW = 7.0, 4.0  # mm: of the offset beside the circle; of the stroke below it
 
 
@@ -41,7 +43,8 @@ def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     board = draft.board
     theta = theta_of(draft, design.K.si)
     draft.shared(STROKE, design.H.si * 1e3)
-    board.section(Words("$A$ 点所在的圆", "The circle of $A$"))
+    circle_of = Words("$A$ 点所在的圆", "The circle of $A$")
+    board.section(circle_of if design.theta else Words("滑块的极限位置", "Limit positions of the slider"))
     board.step(
         Words(
             "选 $μ_l$，在导路上截取 $C_{1}C_{2} = H/μ_l$，得滑块的两极限位置。",
@@ -52,9 +55,40 @@ def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     c1 = pin(draft, "C_1", 0j)
     c2 = pin(draft, "C_2", board.lay_off(c1, 1 + 0j, draft.mm(design.H.si), key="H"))
     board.join(SHEET, c1, c2, Role.CENTRE)
+    if design.theta == 0:
+        _central(draft, design, (c1, c2))
+        return
     circle = eta(draft, (c1, c2), theta, 1)
     stroke(draft, (c1, c2), _below(circle))
     _solution(draft, design, (c1, c2), circle)
+
+
+def _central(draft: Draft, design: SliderCrank, ends: tuple[Points, Points]) -> None:
+    """Without quick return A lies on the guide, BC from the middle of the stroke: AC₁ and AC₂ are BC ∓ AB."""
+    board, (c1, c2) = draft.board, ends
+    assert design.BC is not None
+    board.section(_PIVOT)
+    board.step(
+        Words(
+            "$K = 1$，$θ = 0$，无急回：$A$ 在导路上，$e = 0$。因 $AC_1 = l_BC − l_AB$、$AC_2 = l_BC + l_AB$，"
+            "$A$ 到 $C_{1}C_2$ 的中点 $M$ 的距离为 $l_BC$；作 $M$，在导路上截取 $MA = l_{BC}/μ_l$。"
+            "（在 $M$ 的另一侧截取得其镜像，所得机构相同。）",
+            "With $K = 1$ and $θ = 0$ there is no quick return: $A$ lies on the guide, and $e = 0$. As "
+            "$AC_1 = l_BC − l_AB$ and $AC_2 = l_BC + l_AB$, $A$ is $l_BC$ from the midpoint $M$ of $C_{1}C_2$: draw "
+            "$M$ and lay off $MA = l_{BC}/μ_l$ on the guide. (On the other side of $M$ it gives the mirror image, the "
+            "same linkage.)",
+        ),
+        SHEET,
+    )
+    stroke(draft, ends, UNDER)
+    m = point(draft, "M", board.meet(board.bisector(SHEET, c1, c2), board.parallel(c1, unit(c2 - c1)), _MIDDLE))
+    a = pivot(draft, draft.letter("A"), board.lay_off(m, -unit(c2 - c1), draft.mm(design.BC.si), key="MA"))
+    board.join(SHEET, a, c1, Role.CENTRE)
+    along = float(nominal(dot(c2 - c1, a - c1) / np.square(np.abs(c2 - c1))))
+    verdict = Verdict.ACROSS if 0 <= along <= 1 else Verdict.VALID
+    limits = limits_of(a, a, c1, c2, ("A", "C_1", "C_2"))
+    slider(draft, (limits.extended, limits.folded), 1 + 0j)
+    settled(draft, limits, verdict, partial(_read, design=design), framed=False)
 
 
 def _below(circle: Eta) -> float:
@@ -65,7 +99,7 @@ def _below(circle: Eta) -> float:
 def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], circle: Eta) -> None:
     """A by what is given beside, and the linkage in both limits."""
     board, (c1, c2) = draft.board, ends
-    board.section(Words("求 $A$ 点和各构件长度", "The point $A$ and the lengths"))
+    board.section(_PIVOT)
     if design.e is not None:
         at = _at_offset(draft, circle, c1, draft.mm(design.e.si))
     else:
@@ -107,7 +141,10 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
 def _read(draft: Draft, limits: Limits, design: SliderCrank) -> None:
     """l_AB, l_BC by half the difference and half the sum; the offset; the greatest pressure angle."""
     crank, coupler = crank_and_coupler(draft, limits)
-    offset = _offset(draft, limits) if design.e is None else draft.shared(OFFSET, design.e.si * 1e3)
+    if design.theta == 0:
+        offset = draft.shared(OFFSET, np.float64(0.0))
+    else:
+        offset = _offset(draft, limits) if design.e is None else draft.shared(OFFSET, design.e.si * 1e3)
     found = draft.stated(draft.of_this(ALPHA_MAX), greatest_pressure(draft, crank, coupler, offset))
     draft.worked(draft.of_this(GAMMA_MIN), RIGHT - found)
 

@@ -29,6 +29,8 @@ def out_of_reach(design: CrankRocker) -> AssemblyError:
         return _no_best(design)
     if design.AB is not None and not design.theta:
         return _half_the_chord(design.AB.text, Chord(design).s / 2)
+    if design.A is not None and design.A.along == 1 and not design.theta:
+        return _level_with_the_chord(design.A.text, Chord(design))
     name, given, unit, of = _datum(design)
     if not (ranges := _all_ranges(design, of)):
         return _none_at_all(design)
@@ -101,6 +103,22 @@ def _half_the_chord(given: str, half: float) -> AssemblyError:
         ),
         code="no-solution",
         numbers={"AB": half},
+    )
+
+
+def _level_with_the_chord(given: str, chord: Chord) -> AssemblyError:
+    """K = 1: A lies on C₁C₂, which a level line does not meet, or meets everywhere."""
+    height, half = 1e3 * chord.m, 1e3 * chord.s / 2
+    return AssemblyError(
+        Words(
+            f"A：{given}；K = 1 时 A 在 C₁C₂ 线（y = {height:.4g} mm）上，水平线与它平行或重合，"
+            f"不能确定 A；请改为给定竖直线，如 on x = {-2 * half:.4g} mm，|x| 须大于 C₁C₂/2 = {half:.4g} mm",
+            f"A {given}: with K = 1 the pivot A lies on C₁C₂, the line y = {height:.4g} mm, which a level line is "
+            f"parallel to, or is itself: A does not follow; give an upright one, e.g. on x = {-2 * half:.4g} mm, where "
+            f"|x| must be more than C₁C₂/2 = {half:.4g} mm",
+        ),
+        code="no-solution",
+        numbers={"half": half / 1e3},
     )
 
 

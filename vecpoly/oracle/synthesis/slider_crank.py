@@ -37,8 +37,8 @@ def slider_cranks(design: SliderCrank) -> list[Linkage]:
     else:
         assert design.BC is not None
         b = design.BC.si
-        if not (below(h / 2, b) and below(b, h / 2 / sine)):
-            raise _refused("BC", design.BC.text, h / 2, h / 2 * cosine / sine)
+        if not (below(h / 2, b) and below(b * sine, h / 2)):
+            raise _refused("BC", design.BC.text, h / 2, h / 2 * cosine / sine if sine else inf)
         a = sqrt((h / 2) ** 2 - (b * sine) ** 2) / cosine
     return [_linkage(design, a, b)]
 

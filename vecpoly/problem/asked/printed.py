@@ -64,6 +64,7 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         direction=direction,
         figures=spec.figures,
         note=spec.note,
+        lost=spec.lost,
     )
 
 

@@ -162,6 +162,10 @@ KEYS = {
     "PrintedSpec.scale": Words("值为图上长度时的比例尺", "where the value is a length on paper: its scale"),
     "PrintedSpec.direction": Words("书中的方向：180 deg", "the printed direction: 180 deg"),
     "PrintedSpec.kind": Words("计算（calculated）或图解（graphical）", "calculated, or read off a drawing (graphical)"),
+    "PrintedSpec.lost": Words(
+        "该答案属于已失的原题数据（本题数据为另定）；只与其余原书答案相互校核",
+        "it belongs to data that are lost, in whose place are our own: held only against the other printed answers",
+    ),
     "PrintedSpec.figures": Words(
         "书中演算所取的有效数字位数，结果只按此校核",
         "to how many figures the book reckoned on the way; it is held to no more",

@@ -151,6 +151,7 @@ class PrintedSpec(Spec):
         None, ge=2, le=9, description="to how many figures the book reckoned on the way; it is held to no more"
     )
     note: Text | None = None
+    lost: YesNo = False  # to data that are lost, in whose place ours stand: held only against the other answers
 
 
 class SheetSpec(Spec):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from ...drawing.legend.on_sheet import with_legend
 from ...drawing.sheets.sheet import Sheet, bound, sheets
 from ...findings.study.study import Study
+from ...project.demand import Demand
 from ...project.part import Part
 from ...project.project import Project
 from ...solution import Solution
@@ -101,3 +102,9 @@ def amount(value: Amount, digits: int = 4) -> str:
     """A value as printed: 33.65°, 310 mm, 843.6 N·m."""
     text = value.shown(digits).replace(" deg", "°").replace("*", "·").replace("-", "−")
     return text.removesuffix(".0").replace(".0 ", " ").replace(".0°", "°")
+
+
+def allowed(demand: Demand) -> str:
+    """What is asked, with what it may be off by where a value is: ≥ 40°, = 210 mm ± 3 %."""
+    slack = f" ± {100 * demand.within:g} %" if demand.sign == "=" else ""
+    return f"{demand.sign} {amount(demand.asked)}{slack}"

@@ -11,7 +11,7 @@ from ...project.part import Part
 from ...solution import YES_NO
 from ...words import Lang, Words
 from ..answers.line import result_of
-from .binder import Binder, amount
+from .binder import Binder, allowed, amount
 
 _HEADER = {
     "zh": ["要求", "量", "允许值", "图解值", "精确值", "结论"],
@@ -40,9 +40,8 @@ def _row(one: Demand, binder: Binder) -> tuple[str, ...]:
     lang = binder.lang
     part, key = _of(one.name, binder)
     read = _as_read(part, key, lang) if part is not None else None
-    asked = f"{one.sign} {amount(one.asked)}" + (f" ± {100 * one.within:g} %" if one.sign == "=" else "")
     return (
-        one.say.of(lang), _symbol(part, key), asked, read or amount(one.drawn), amount(one.exact),
+        one.say.of(lang), _symbol(part, key), allowed(one), read or amount(one.drawn), amount(one.exact),
         _VERDICT[one.holds].of(lang),
     )  # fmt: skip
 

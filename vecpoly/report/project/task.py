@@ -14,7 +14,7 @@ from ..course.numbering import SMALL
 from ..course.structure import chapter as structure
 from ..picture import picture
 from ..sources import printed_source
-from .binder import Binder, amount
+from .binder import Binder, allowed
 
 _PICTURE = (110.0, 92.0)  # mm
 _DATA = {"zh": ["部分", "已知"], "en": ["Part", "Given"]}
@@ -29,7 +29,7 @@ def task(binder: Binder) -> dict[str, Any]:
     press.chapter = "1"
     rows = [(part.problem.title.of(lang), binder.listed(list(_given(part, binder)))) for part in project.parts]
     data = press.table(Words("设计数据", "The data"), _DATA[lang], rows, "ll", style=SMALL)
-    asked = [(one.say.of(lang), f"{one.sign} {amount(one.asked)}") for one in project.demands]
+    asked = [(one.say.of(lang), allowed(one)) for one in project.demands]
     return {
         "statement": project.statement.of(lang),
         "source": printed_source(project.source, lang),

@@ -56,7 +56,13 @@ def closed(sheet: Sheet, verdict: Verdict) -> None:
     """The candidate is finished."""
     kinds = [kind for kind, _ in _kinds(sheet)] if verdict is Verdict.VALID else []
     sheet.draft.kind = reduce(add, kinds) if kinds else None
+    sheet.draft.last = verdict is Verdict.VALID and _last_drives(sheet)
     sheet.draft.candidate(verdict, _order(sheet), **_pins(sheet))
+
+
+def _last_drives(sheet: Sheet) -> bool:
+    """Whether only the last link on the frame leads a valid linkage through its positions."""
+    return sheet.plan.either and drives(sheet, sheet.plan.loops[0])[0] is not Verdict.VALID
 
 
 def _told(sheet: Sheet, verdict: Verdict) -> Words:

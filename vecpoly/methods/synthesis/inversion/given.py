@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import degrees
 
 from ....board.paper.marks import Dot, Role
-from ....designs.inversion.plan import FRAME, Body, Pin, Plan
+from ....designs.inversion.plan import FRAME, Body, Limits, Pin, Plan
 from ....diagram.single import outline
 from ....foundation.frozen import FrozenMap
 from ....names import ascii_key
@@ -34,10 +34,19 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
         pins[slide.letter] = lettered(draft, slide.letter, places)
         board.join(SHEET, pins[slide.letter][0], pins[slide.letter][-1], Role.CENTRE)
         slider(draft, pins[slide.letter], slide.along)
+    for stage in limits_of(plan):
+        first = pin(draft, f"{stage.pin}_1", placed(draft, stage.first))
+        board.join(SHEET, fixed[stage.pivot], first, Role.GIVEN)
+        pins[stage.pin] = (first,)
     sheet = Sheet(draft=draft, plan=plan, pins=FrozenMap(pins), bodies=FrozenMap({}))
     for body in plan.bodies:
         sheet = _with_body(sheet, body)
     return sheet
+
+
+def limits_of(plan: Plan) -> list[Limits]:
+    """The rockers of which one limit position is given."""
+    return [stage for stage in plan.stages if isinstance(stage, Limits)]
 
 
 _COUNTED = {2: Words("两", "two"), 3: Words("三", "three"), 4: Words("四", "four")}
@@ -56,6 +65,10 @@ def _told(plan: Plan) -> Words:
         letters = "、".join(f"${slide.letter}$" for slide in plan.slides)
         zh.append(f"滑块铰链 {letters} 的各位置、")
         en.append(f"the positions of the slider's pin {letters.replace('、', ', ')}, ")
+    for stage in limits_of(plan):
+        rocker, side = f"${stage.pivot}{stage.pin}_1$", stage.limit.label
+        zh.append(f"摇杆的{side.zh}极限位置 {rocker}、")
+        en.append(f"the {side.en} limit position {rocker} of the rocker, ")
     for body in plan.bodies:
         marks = _lines(plan, body)
         said = _LINE if _free(body) else Words("", "")

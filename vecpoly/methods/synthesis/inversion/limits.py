@@ -15,7 +15,7 @@ from ....plane.geometry import dot
 from ....words import Words
 from ..draft import SHEET
 from ..linkage import pin
-from .sheet import Places, Sheet, Stands, lettered, placed
+from .sheet import Places, Sheet, Stands, lettered
 
 
 def limits(sheet: Sheet, stage: Limits) -> Iterator[Sheet]:
@@ -34,14 +34,26 @@ def limits(sheet: Sheet, stage: Limits) -> Iterator[Sheet]:
         SHEET,
     )
     a, d = sheet.pins[stage.about][0], sheet.pins[stage.pivot][0]
-    c1 = pin(sheet.draft, f"{c}_1", placed(sheet.draft, stage.first))
+    c1 = sheet.pins[c][0]
     board.circle(SHEET, d, np.abs(c1 - d))
     board.join(SHEET, a, c1, Role.CONSTRUCTION)
     met = [c2 for ray in _rays(sheet, stage, a, c1) for c2 in _meetings(sheet, ray, d, np.abs(c1 - d))]
     kept = [c2 for c2 in met if float(nominal((c1 - c2).real)) * stage.limit.sense > 0]
     if not kept:
         raise no_limit(stage, len(met))
+    if len(kept) < len(met):
+        board.remark(_other_side(stage))
     return (_swung(sheet, stage, a, d, (c1, c2)) for c2 in kept)
+
+
+def _other_side(stage: Limits) -> Words:
+    """That a meeting would make C₁ the other limit."""
+    side = stage.limit.label
+    return Words(
+        f"（射线与圆在 ${stage.pin}_1$ {side.zh}侧的交点舍去：取它则 ${stage.pin}_1$ 不是{side.zh}极限。）",
+        f" (Where it meets the circle on the {side.en} of ${stage.pin}_1$ is rejected: ${stage.pin}_1$ would not be "
+        f"the {side.en} limit.)",
+    )
 
 
 def _rays(sheet: Sheet, stage: Limits, a: Points, c1: Points) -> list[Line]:
