@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import inf, isfinite, prod
+from math import inf, prod
 from typing import Self
 
 import numpy as np
@@ -15,8 +15,9 @@ from ..board.otherwise.slip import Slip
 from ..foundation.slotted import replace
 from ..problem.problem import Problem
 from ..solution import scales_of
+from .apart import compared
 from .conditions import Condition
-from .draw import ATTEMPTS, Trial, tried
+from .draw import ATTEMPTS, Trial, draws_once, tried
 from .frames import scaled
 from .judge import Standard, deviation, failing, long_enough, signs, told_apart, verdict, visible
 from .keyed import key_for
@@ -54,8 +55,8 @@ def pilot(problem: Problem) -> Pilot:
     """
     problem = replace(problem, printed=(), tables=())
     seed = Seed(assignment="pilot", problem=problem.id, student="")
-    first = _standard(problem)
-    trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
+    first, draws = _standard(problem), draws_once()
+    trials = [_whole(tried(problem, seed, attempt, first, frozenset(), draws=draws)) for attempt in range(SETS)]
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
     asked = tuple(dict.fromkeys(ask.rel.key for ask in problem.asks))
     demoted = _with_demoted(first, looks, asked)
@@ -72,7 +73,7 @@ def pilot(problem: Problem) -> Pilot:
     slips = max((len(look.slips) for look in looks), default=0)
     good = [key_for(look.key, standard) for look in looks if failing(look, standard) is None]
     found = room(good, problem.gate.apart, ATTEMPTS)
-    if isfinite(found):
+    if problem.gate.apart and any(compared(key) for key in good):
         found = min(found, passed * prod(one.count for one in problem.ranges))  # no more than sets of values pass
     shown = frozenset(counted.slips) - standard.hidden
     return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips, room=found, shown=shown)
