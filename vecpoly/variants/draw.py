@@ -46,12 +46,12 @@ class Trial:
 
 
 def variants(
-    problem: Problem, seed: Seed, standard: Standard, taken: Taken = NOBODY, start: int = 0
+    problem: Problem, seed: Seed, standard: Standard, taken: Taken = NOBODY, start: int = 0, attempts: int = ATTEMPTS
 ) -> Iterator[Variant]:
     """The variants of a student from this attempt on, until so many are used up; too near to those who have theirs is
     left out."""
     graded = standard.graded(problem)
-    for attempt in range(start, start + ATTEMPTS):
+    for attempt in range(start, start + attempts):
         for values, look in tried(problem, seed, attempt, standard, graded, taken, good=True).drawn:
             if isinstance(look, Look) and failing(look, standard) is None:
                 yield Variant(seed=seed, attempt=attempt, values=values, problem=look.problem, key=look.key)
