@@ -35,7 +35,7 @@ def _of(act: Act, acts: Sequence[Act], name: str) -> Iterator[Slip]:
             yield from (Slip(Mistake.OTHER_CENTRE, name, letter) for letter in _beside(act, led, acts))
         case Parallel() if act.key:
             yield Slip(Mistake.TURNED, name)
-        case Ray(of_friction=True):
+        case Ray(known=True):
             yield Slip(Mistake.OTHER_SIDE, name)
         case Ray() if act.key:
             yield from (Slip(mistake, name) for mistake in (Mistake.COMPLEMENT, Mistake.OTHER_SIDE))
