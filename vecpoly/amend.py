@@ -7,7 +7,8 @@ from difflib import get_close_matches
 
 from .board.acts import Act, Area, Locate, Measure
 from .board.otherwise.amended import Amended, plain_letters
-from .board.otherwise.slip import Mistake, Slip
+from .board.otherwise.possible import slips_of
+from .board.otherwise.slip import TOLD_OF, Mistake, Slip
 from .errors import ArgumentError, UnknownNameError
 from .foundation.frozen import FrozenMap
 from .units.reading import Dim, read
@@ -35,16 +36,32 @@ def found_all(amended: Amended, acts: Sequence[Act], written: Mapping[str, Lengt
     for key, value in (written or {}).items():
         _of_its_kind(_plain(key), value, acts)
     _known(amended.readings, [act for act in acts if isinstance(act, Measure | Area)], Words("读数", "reading"))
-    if amended.slip is not None:
-        key = amended.slip.key
-        if not any(key in act.names for act in acts):
-            raise UnknownNameError(
-                Words(f"图上没有 {key}，不能在此出错", f"there is no {key} on the sheet to make a mistake with"),
-                code="unknown-act",
-            )
-        if amended.slip.mistake is Mistake.OTHER_CENTRE:
-            _known([amended.slip.instead], [act for act in acts if isinstance(act, Locate)], Words("瞬心", "centre"))
     _known(amended.points, [act for act in acts if isinstance(act, Locate)], Words("点", "point"))
+
+
+def can_be_made(slip: Slip, acts: Sequence[Act]) -> None:
+    """Raise UnknownNameError for a mistake that nobody can make with these acts, those of the right solution: it would
+    change nothing, and what is drawn would be taken for wrong."""
+    there = [act for act in acts if slip.key in act.names]
+    if not there:
+        raise UnknownNameError(
+            Words(f"图上没有 {slip.key}，不能在此出错", f"there is no {slip.key} on the sheet to make a mistake with"),
+            code="unknown-act",
+        )
+    if slip.mistake is Mistake.OTHER_CENTRE:
+        _known([slip.instead], [act for act in acts if isinstance(act, Locate)], Words("瞬心", "centre"))
+        return  # found later than the line is drawn, at this scale, it misleads nobody
+    made = [one for one in slips_of(acts) if any(one.key in act.names for act in there)]
+    if not any((one.mistake, one.instead) == (slip.mistake, slip.instead) for one in made):
+        zh, en = ("、".join(one.words.zh for one in made), "; ".join(map(str, made)))
+        letter = "" if slip.mistake in TOLD_OF or not slip.instead else f"（{slip.instead}）"
+        raise UnknownNameError(
+            Words(
+                f"解题中不会有“{slip.words.zh}{letter}”这样的错误；{slip.key} 处可有的错误：{zh or '无'}",
+                f"nobody can make the mistake '{slip}'; those that can be made with {slip.key}: {en or 'none'}",
+            ),
+            code="unknown-slip",
+        )
 
 
 def _known(given: Iterable[str], acts: Sequence[Act], what: Words) -> None:

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self, cast
 
-from .amend import Length, Spot, amend, found_all
+from .amend import Length, Spot, amend, can_be_made, found_all
 from .answer import YES_NO, Answer, plain, reading_json, small_table, told_short
 from .board.construction import Construction
 from .board.hand import Hand, hand
-from .board.otherwise.amended import Amended
+from .board.otherwise.amended import AS_DRAWN, Amended
 from .board.otherwise.slip import Slip
 from .board.paper.sizes import unfit
 from .check.alarm import Cause, contradicted, warning
@@ -120,13 +120,15 @@ def solve(
     somebody who makes this mistake. sketch: of this problem by an exact hand (`methods.plan.sketched`), where there is
     one already. precise: also find how many digits the exact values keep, and which statements decide nothing; else the
     former is done only where something is suspect. Raises AssemblyError, DeadPointError, MobilityError, NoMethodError;
-    UnknownNameError where nothing of that name is read or found.
+    UnknownNameError where nothing of that name is read or found, or nobody can make that mistake.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     task = task_of(problem)
     size = sizes(problem, task.truth)  # first: the refusals of the truth know the range of the input that does assemble
     off = noise(problem, task.truth, size) if precise else dict.fromkeys(size, 0.0)
     amended = amend(readings, points, slip)
+    if slip is not None:
+        can_be_made(slip, constructed(problem, hand("exact"), AS_DRAWN).construction.acts)
     drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts, readings)
     answers = uniform(answers_of(task, drawn, off, size, scatters=by == "pencil", judged=bool(repeats)))

@@ -258,3 +258,25 @@ def test_a_profile_gives_the_columns_of_another_platform_and_guards_formulas(
     file.write_text("file: x.csv\ncolumns: [{heat: a}]\n", encoding="utf-8")
     with pytest.raises(VecpolyError, match="head"):
         read_profile(file)
+
+
+SPOILT = {
+    "file: x.csv\ncolumns: [{heat: a}]": ("columns.0.heat: 未知的键“heat”", "unknown key 'heat'; did you mean 'head'?"),
+    "file: x.csv\ncolumns: 5": ("columns: 此处应为列表", "columns: a list is expected here"),
+    "file: x.xlsx\ncolumns: [{head: a}]": ("“x.xlsx”不是文件名", "'x.xlsx' is no name of the file"),
+    "file: x.csv\ncolumns: []": ("columns: 此处至少要有一项", "columns: at least one entry is needed here"),
+    "file: x.csv\nmark: maybe\ncolumns: [{head: a}]": ("mark: 此处应为 true 或 false", "mark: true or false"),
+    "columns: [{head: a}]": ("缺少“file”", "'file' is missing"),
+}
+
+
+@pytest.mark.parametrize("text", list(SPOILT))
+def test_what_is_wrong_with_a_profile_is_said_in_the_language_of_whoever_reads_it(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "p.yaml"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(VecpolyError) as refused:
+        read_profile(file)
+    zh, en = SPOILT[text]
+    said = refused.value.words
+    assert zh in said.zh and en in said.en
+    assert not re.search(r"\b(input|should|field|extra)\b", said.zh, re.IGNORECASE)

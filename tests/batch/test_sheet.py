@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from io import BytesIO
 from typing import Any
@@ -12,15 +13,22 @@ import pdfplumber
 import pypdfium2
 import pytest
 import zxingcpp
+from pypdf import PdfReader
+from reportlab.pdfgen.canvas import Canvas
 
 from tests.variants.block import given
 from vecpoly.batch.codes import page_code, sheet_id
 from vecpoly.batch.sheet.compose import Composed, composed, layout_of
 from vecpoly.batch.sheet.layout import HEIGHT, TAG, corners_of_tags
+from vecpoly.batch.sheet.text import Placed, text_pages
 from vecpoly.batch.sheet.write import sheet_bytes
 from vecpoly.batch.student import Student
+from vecpoly.board.paper.extent import extent
+from vecpoly.problem.load import load
+from vecpoly.report.question.working import Squares
 from vecpoly.solution import solve
-from vecpoly.variants.frames import JITTER
+from vecpoly.typeset.box import MM
+from vecpoly.variants.frames import JITTER, beside_sheet
 from vecpoly.words import Lang
 
 DPI = 200
@@ -128,3 +136,26 @@ def test_nothing_is_drawn_over_the_white_round_a_tag() -> None:
             edge = round(1.2 * PX)
             ring[edge:-edge, edge:-edge] = 255
             assert int(np.min(ring)) > 200
+
+
+@pytest.mark.parametrize(("lang", "said"), [("zh", "画在下面计算过程的方格中"), ("en", "on the squares below")])
+def test_a_diagram_too_large_for_a_frame_is_told_where_to_draw_and_has_the_room_there(lang: Lang, said: str) -> None:
+    """The displacement of a cam is 162 mm wide; its scales stood on the sheet, and no frame for it."""
+    solution = solve(load("cam-flat-face"), by="exact", repeats=0, precise=False)
+    (beside,) = beside_sheet(solution.construction.figures)
+    text = text_pages(solution, lang)
+    printed = PdfReader(BytesIO(_printed(text))).pages[0].extract_text()
+    assert said in "".join(printed.split("\n")) and beside.title.of(lang).split(" $")[0] in printed
+    squares = [one.block.height / MM for page in text for one in page if isinstance(one.block, Squares)]
+    assert max(squares) > extent(beside.marks)[1]
+
+
+def _printed(pages: Sequence[Sequence[Placed]]) -> bytes:
+    out = BytesIO()
+    canvas = Canvas(out)
+    for page in pages:
+        for one in page:
+            one.draw(canvas)
+        canvas.showPage()
+    canvas.save()
+    return out.getvalue()

@@ -14,11 +14,11 @@ from tests.each import Later, each
 from tests.laws import few
 from vecpoly.board.acts import Area, Measure
 from vecpoly.board.otherwise.amended import Amended
+from vecpoly.board.otherwise.possible import slips_of
 from vecpoly.board.otherwise.slip import TOLD_OF, Mistake, Slip
 from vecpoly.cli.app import app
 from vecpoly.grading.derive.keyed import answer_key
 from vecpoly.grading.redraw import by_hands
-from vecpoly.mistakes import slips_of
 from vecpoly.solution import solve
 
 WORKED = ("2-6", "5-6", "5-7", "7-2a", "hoist")  # nothing is read on paper

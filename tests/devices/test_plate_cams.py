@@ -22,6 +22,8 @@ from vecpoly.board.place import view_named
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.cams.motion import Law, Piece
 from vecpoly.errors import ProblemFileError
+from vecpoly.grading.derive.keyed import answer_key
+from vecpoly.grading.slips.mutants import mutants
 from vecpoly.methods.devices.cam.laws import lift
 from vecpoly.methods.devices.cam.scales import cam_scales
 from vecpoly.methods.devices.cam.trying import traced
@@ -270,6 +272,28 @@ def test_a_mistake_with_offset_roller_or_centre_can_be_made(mistake: Mistake, ke
         solve(problem, by="exact", repeats=0, precise=False, slip=one).answers[wrong].drawn for one in (None, slip)
     )
     assert abs(other - right) > 0.5
+
+
+@pytest.mark.parametrize(("name", "shows"), [("cam-rocker", "alpha_60"), ("cam-flat-arm", "r_210")])
+def test_the_angle_of_an_arm_may_be_set_out_towards_the_axis(name: str, shows: str) -> None:
+    """ψ, from the first place of the arm, to the other side: as s of a guided follower may be laid off inwards. Where
+    the arm has not swung there is nothing to set out wrongly."""
+    problem, slip = load(name), Slip(Mistake.OTHER_SIDE, "ψ")
+    assert slip in catalogue(name) and Slip(Mistake.COMPLEMENT, "ψ") not in catalogue(name)
+    right, wrong = (
+        {key: one.drawn for key, one in solve(problem, by="exact", repeats=0, precise=False, slip=made).answers.items()}
+        for made in (None, slip)
+    )
+    assert wrong["r_60"] < right["r_60"] - 5.0 and abs(wrong[shows] - right[shows]) > 5.0
+    assert wrong["psi0"] == right["psi0"]
+
+
+@pytest.mark.parametrize("name", ["cam-rocker", "cam-flat-arm", "cam-flat-face", "cam-heart", "cam-roller-offset"])
+def test_a_profile_that_is_asked_shows_which_way_it_was_inverted(name: str) -> None:
+    problem, slip = load(name), Slip(Mistake.FORWARDS, "inversion")
+    key = answer_key(problem)
+    (made,) = mutants(problem, key, [slip])
+    assert any(key[one].asked for one in made.values)
 
 
 # -- refusals ------------------------------------------------------------------------------------------------------

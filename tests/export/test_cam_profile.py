@@ -86,6 +86,20 @@ def test_what_has_no_profile_that_can_be_made_is_refused(name: str) -> None:
         profile_of(load(name))
 
 
+@pytest.mark.parametrize(
+    ("name", "flat", "zh"), [("cam-flat-face", True, "加大 r0"), ("cam-undercut", False, "减小滚子")]
+)
+def test_a_face_has_no_roller_that_might_be_smaller(name: str, flat: bool, zh: str) -> None:
+    """The remedy of an undercut profile is one for its follower."""
+    text = load(name).text
+    r0 = re.search(r"r0: (\d+) mm", text)
+    assert r0 is not None
+    small = text.replace(r0[0], "r0: 5 mm") if flat else text
+    with pytest.raises(NoMethodError, match="undercut") as refused:
+        profile_of(loads(small))
+    assert zh in refused.value.words.zh and ("roller" in refused.value.words.en) is not flat
+
+
 @pytest.mark.parametrize("name", CAMS)
 def test_no_point_of_the_drawing_stands_there_twice(name: str) -> None:
     """Where two stretches meet there was a second one."""

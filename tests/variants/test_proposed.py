@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 
@@ -11,16 +13,24 @@ from hypothesis import given
 from hypothesis import strategies as st
 from typer.testing import CliRunner
 
+from tests.laws import few
 from vecpoly.cli.app import app
 from vecpoly.errors import VecpolyError
 from vecpoly.problem.assignment import load_assignment
+from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
-from vecpoly.problem.values.vary import parameters
-from vecpoly.variants.pilot import pilot
-from vecpoly.variants.proposing.chosen import ENOUGH, proposal, ranged
-from vecpoly.variants.proposing.numbers import numbers, round_step, spread
+from vecpoly.problem.problem import Problem
+from vecpoly.problem.values.vary import data_of, parameters, vary
+from vecpoly.variants import draw
+from vecpoly.variants.draw import Drawn, Draws
+from vecpoly.variants.judge import Standard
+from vecpoly.variants.pilot import SETS, pilot
+from vecpoly.variants.proposing import chosen
+from vecpoly.variants.proposing.chosen import ENOUGH, free, proposal, ranged
+from vecpoly.variants.proposing.numbers import Span, numbers, round_step, spread
 from vecpoly.variants.told import said_already
 
+PROPOSED = tuple(entry.id for entry in library())
 VALUES = st.decimals(min_value="0.01", max_value=9999, places=2)
 SPAN = re.compile(r"(-?[\d.]+) mm \.\. (-?[\d.]+) mm by ([\d.]+) mm")
 
@@ -52,6 +62,7 @@ def test_a_range_goes_as_far_to_either_side_and_never_through_nought(value: Deci
         ("ccw", ""),
         ("7 um at 63 deg", ""),
         ("2", ""),
+        ("31.7558034016695 deg", ""),
     ],
 )
 def test_a_range_is_written_as_a_problem_file_has_it(written: str, said: str) -> None:
@@ -78,6 +89,84 @@ def test_the_drive_comes_first_and_scales_friction_and_guesses_stay() -> None:
     for name in ("3-9", "4-3a", "shaper-flywheel"):
         names = [spans[0].name for spans in numbers(load(name).written.data)]  # type: ignore[union-attr]
         assert names[0] == "phi" and not [one for one in names if re.match(r"mu_|rho|J_|direction|phi_\d-", one)]
+
+
+BOUND = {
+    "winch-gears": {"r_1", "r_2", "x_B"},  # the radii of the gears make the distance of the axes
+    "field-four-runs": {"m_1", "m_2", "r_1"},  # the same trial weight in every run
+    "cam-moves-arm": {"AB", "r_3", "x_A"},  # the follower is that of the cam problem
+    "engine-four": {"order_2", "order_3"},  # each cylinder fires once
+}
+
+
+@pytest.mark.parametrize("name", few(tuple(BOUND), 2))
+def test_a_number_that_is_bound_to_others_is_not_varied_by_itself(name: str) -> None:
+    problem = load(name)
+    named = {one.name for spans in numbers(data_of(problem)) for one in spans}
+    varied = {one.name for spans in free(problem) for one in spans}
+    assert named >= BOUND[name] and not varied & BOUND[name] and varied < named
+
+
+@pytest.mark.parametrize("name", few(PROPOSED, 12))
+def test_the_problem_can_be_set_with_every_value_of_a_range(name: str) -> None:
+    problem, off = load(name), list[str]()
+    for span in (span for spans in free(problem) for span in spans):
+        one = ranged(problem, [span])
+        (values,) = one.ranges
+        for number in {0, 1, values.count - 2, values.count - 1}:
+            try:
+                vary(one, {values.name: values.at(number)})
+            except VecpolyError:
+                off.append(f"{values.name} = {values.at(number)}")
+    assert not off
+
+
+def test_a_time_ratio_begins_at_one() -> None:
+    """0.85 is no time ratio, though as many steps below 1.25 as 1.65 is above it."""
+    spans = {one.name: one.text for some in free(load("best-gamma")) for one in some[:1]}
+    assert spans["K"] == "1 .. 1.65 by 0.05"
+
+
+@pytest.mark.parametrize("name", ["K-slider-crank-AB", "drag-link"])
+def test_no_more_students_have_room_than_there_are_values(name: str) -> None:
+    """Few of the draws pass there, so that nothing is known of how far they are apart; but as many values there are."""
+    problem = load(name)
+    span = next(iter(free(problem)))[0]
+    found = pilot(one := ranged(problem, [span]))
+    assert found.room <= one.ranges[0].count
+
+
+ROOMS = {("phi",): 1.0, ("AB",): 9.0, ("phi", "BC"): 4.0, ("AB", "BC"): 20.0, ("AB", "AC"): 10.0}
+
+
+def test_what_tells_nobody_apart_gives_way_to_what_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where all have the same answers whatever the angle is, another number is varied in its place, not beside it."""
+    problem = load("8-2e")
+    names = [("phi",), ("AB",), ("BC",), ("AC",)]
+    some = [tuple(Span(name=name, text=f"{name}, of these") for name in one) for one in names]
+    known = pilot(ranged(load("8-1"), [next(iter(free(load("8-1"))))[0]]))
+    monkeypatch.setattr(chosen, "free", lambda _: iter(some))
+    monkeypatch.setattr(chosen, "ranged", lambda _, spans: tuple(one.name for one in spans))
+    monkeypatch.setattr(chosen, "pilot", lambda of: replace(known, passed=1.0, room=ROOMS.get(of, 1.0)))
+    found = proposal(problem, 60)
+    assert [one.name for one in found.ranges] == ["AB", "BC"] and found.pilot.room == 20.0
+
+
+def test_the_same_values_are_drawn_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = load("8-1")
+    drawn = list[tuple[object, ...]]()
+    monkeypatch.setattr(draw, "draws_each", _kept(drawn, draw.draws_each))
+    one = ranged(problem, [next(iter(free(problem)))[-1]])
+    pilot(one)
+    assert len(set(drawn)) == len(drawn) <= one.ranges[0].count < SETS
+
+
+def _kept(drawn: list[tuple[object, ...]], draws: Draws) -> Draws:
+    def noted(problem: Problem, values: Mapping[str, str], standard: Standard, good: bool) -> Drawn:
+        drawn.append(tuple(values.items()))
+        return draws(problem, values, standard, good)
+
+    return noted
 
 
 def test_a_problem_without_numbers_is_refused() -> None:

@@ -63,6 +63,15 @@ def test_room_depends_on_how_far_values_are_apart_and_not_on_how_large_they_are(
     assert room(keys(*(1000.0 + one for one in along)), 3.0, 300) == room(keys(*along), 3.0, 300)
 
 
+def test_where_few_of_the_draws_pass_more_of_them_tell_how_far_students_are_apart() -> None:
+    """Three of twelve pass, and none of these tell anything; of the others that pass, no two differ by 3 T in two
+    answers."""
+    found = pilot(
+        loads("id: few\nextends: K-crank-rocker-AD\nvary: {AD: 64 mm .. 76 mm by 2 mm, CD: 44 mm .. 76 mm by 2 mm}")
+    )
+    assert found.passed < 1 / 3 and found.room < 3
+
+
 def test_a_class_far_larger_than_its_ranges_can_tell_apart_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
     with pytest.raises(VecpolyError, match=r"about \d+ of 20 students can be told apart"):
         made(tmp_path / "hw", people(range(20)), TRAIN)

@@ -56,9 +56,10 @@ class Compass(Instruments):
         return self.amended.altered(angle, ((hand, _misread(slip.mistake, angle)) for hand, slip in wrong))
 
     def leaned(self, normal: Points, angle: Reals, *, key: str) -> Points:
-        """A direction that leans from a normal by the angle of friction (rad), of the reaction of this key."""
+        """A direction that leans from another by a known angle (rad): from a normal by that of friction, of the
+        reaction of this key."""
         along = normal * np.exp(1j * self._set_out(angle, key))
-        act = done.Ray(head=self.head(normal, key=key), at=0j, along=spot(along), of_friction=True)
+        act = done.Ray(head=self.head(normal, key=key), at=0j, along=spot(along), known=True)
         return traced(along, self.log(act))
 
     def judged(self, view: Place, letter: str, *, crosses: bool) -> Reals:

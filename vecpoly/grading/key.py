@@ -190,12 +190,11 @@ class AnswerKey:
         try:
             return _adapter().validate_python(data)
         except ValidationError as error:
-            first = error.errors()[0]
-            where = ".".join(map(str, first["loc"]))
+            where = ".".join(map(str, error.errors()[0]["loc"]))
             raise VecpolyError(
                 Words(
-                    f"这不是答案键：{where} {first['msg']}；请用 vecpoly 重新生成",
-                    f"this is no answer key: {where}: {first['msg']}; have vecpoly write it again",
+                    f"这不是答案键：{where} 缺失或有误；请用 vecpoly 重新生成",
+                    f"this is no answer key: {where} is missing or wrong; have vecpoly write it again",
                 ),
                 code="no-key",
                 numbers={"path": where},

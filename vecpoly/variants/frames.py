@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ..board.construction import Construction, Figure
 from ..board.paper.extent import corners, figured
-from ..board.paper.scales import round_up
+from ..board.paper.scales import HALF, SERIES, round_up
 from ..figures import View
 from ..foundation.slotted import replace
 from ..problem.problem import Problem
@@ -14,8 +14,10 @@ from ..problem.problem import Problem
 WIDTH, HEIGHT = 160.0, 150.0  # mm
 JITTER = 8.0  # mm that a pole stands off the middle of its frame, at most
 CLEAR = 6.0  # mm that stay free inside the frame
+CLOSE = 3.0  # mm that stay free beside a figure whose scale was not chosen for it
 ROOM = WIDTH / 2 - JITTER - CLEAR, HEIGHT / 2 - JITTER - CLEAR  # mm on each side of a pole
 POLED = (View.VELOCITY, View.ACCELERATION)
+LENGTHS = tuple(sorted((*SERIES, HALF)))  # 1 : 1.5 among them, where a mechanism would be small at 1 : 2
 FRAMED = (View.MECHANISM, *POLED, View.FORCE)
 
 
@@ -37,12 +39,12 @@ def scaled(problem: Problem, drawn: Construction) -> Problem | None:
         figures = [one for one in drawn.figures if one.view is view and not one.aside and one.scale.symbol]
         if not figures:
             continue
-        fullest = max(figures, key=filled)
+        least = max(filled(one) * one.scale.value for one in figures)  # each may have been drawn to a scale of its own
         if (given := problem.scales.of(view.mu)) is not None:
-            if filled(fullest) * fullest.scale.value > given * (1 + 1e-9):
+            if least > given * (1 + 1e-9):
                 return None
-        elif filled(fullest) > 0:
-            scales = scales.changed(view.mu, round_up(fullest.scale.value * filled(fullest)))
+        elif least > 0:
+            scales = scales.changed(view.mu, round_up(least, LENGTHS if view is View.MECHANISM else SERIES))
     return replace(problem, scales=scales)
 
 
@@ -54,4 +56,12 @@ def on_sheet(figures: Iterable[Figure]) -> tuple[Figure, ...]:
 
 
 def _fits(figure: Figure) -> bool:
-    return figure.view is not View.BODY and filled(figure) <= 1
+    larger = min((side - 2 * CLOSE) / (side - 2 * CLEAR) for side in (WIDTH, HEIGHT))
+    return figure.view is not View.BODY and filled(figure) <= larger
+
+
+def beside_sheet(figures: Sequence[Figure]) -> tuple[Figure, ...]:
+    """The diagrams to scale that are too large for a frame: they are drawn where the work is done."""
+    framed = on_sheet(figures)
+    drawn = (one for one in figures if not one.aside and one.scale.symbol and one.view is not View.BODY)
+    return tuple(one for one in drawn if not any(one is other for other in framed))

@@ -30,6 +30,7 @@ from ..board.acts import (
 from ..board.construction import Construction
 from ..board.hand import hand, steady
 from ..board.otherwise.amended import AS_DRAWN, Amended
+from ..board.otherwise.possible import slips_of
 from ..board.otherwise.slip import Slip
 from ..figures import views
 from ..foundation.slotted import replace
@@ -39,7 +40,6 @@ from ..grading.key import AnswerKey, Graded, Kind
 from ..mechanism.model import Mechanism
 from ..methods.every_hand import by_every_hand
 from ..methods.plan import drawn_roughly
-from ..mistakes import slips_of
 from ..plane.geometry import cross
 from ..problem.problem import Problem, Scales
 from ..solution import constructed

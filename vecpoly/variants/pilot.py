@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import inf, isfinite, prod
+from itertools import islice
+from math import inf, prod
 from typing import Self
 
 import numpy as np
@@ -13,10 +14,12 @@ from numpy.typing import NDArray
 
 from ..board.otherwise.slip import Slip
 from ..foundation.slotted import replace
+from ..grading.key import AnswerKey
 from ..problem.problem import Problem
 from ..solution import scales_of
+from .apart import compared
 from .conditions import Condition
-from .draw import ATTEMPTS, Trial, tried
+from .draw import ATTEMPTS, Trial, draws_once, tried, variants
 from .frames import scaled
 from .judge import Standard, deviation, failing, long_enough, signs, told_apart, verdict, visible
 from .keyed import key_for
@@ -26,6 +29,8 @@ from .seeds import Seed
 from .too_few import LEAST, nothing_left, too_few
 
 SETS = 12  # of values that are tried
+MORE = 48  # and more of them, until so many good ones are known that they tell how far students are apart
+KNOWN = 6
 MOST = 0.5  # a quantity that fails in more of the drawings than this is demoted
 SHARES = (MOST, 0.2, 0.0)  # a slip that fails in more than this is let off, the next where too few draws pass else
 ENOUGH = 0.1  # of the draws
@@ -54,8 +59,8 @@ def pilot(problem: Problem) -> Pilot:
     """
     problem = replace(problem, printed=(), tables=())
     seed = Seed(assignment="pilot", problem=problem.id, student="")
-    first = _standard(problem)
-    trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
+    first, draws = _standard(problem), draws_once()
+    trials = [_whole(tried(problem, seed, attempt, first, frozenset(), draws=draws)) for attempt in range(SETS)]
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
     asked = tuple(dict.fromkeys(ask.rel.key for ask in problem.asks))
     demoted = _with_demoted(first, looks, asked)
@@ -71,11 +76,21 @@ def pilot(problem: Problem) -> Pilot:
         raise too_few(problem.id, passed, failed)
     slips = max((len(look.slips) for look in looks), default=0)
     good = [key_for(look.key, standard) for look in looks if failing(look, standard) is None]
-    found = room(good, problem.gate.apart, ATTEMPTS)
-    if isfinite(found):
-        found = min(found, passed * prod(one.count for one in problem.ranges))  # no more than sets of values pass
+    found = _room(problem, seed, standard, good, passed) if problem.gate.apart else inf
     shown = frozenset(counted.slips) - standard.hidden
     return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips, room=found, shown=shown)
+
+
+def _room(problem: Problem, seed: Seed, standard: Standard, good: Sequence[AnswerKey], passed: float) -> float:
+    """How many students can be told apart: where few of the draws pass, by some more of them; never more than there are
+    sets of values that pass."""
+    others = variants(problem, seed, standard, start=SETS, attempts=MORE)
+    some = islice((key_for(one.key, standard) for one in others), max(0, KNOWN - len(good)))
+    keys = [*good, *some]
+    found = room(keys, problem.gate.apart, ATTEMPTS)
+    if any(map(compared, keys)):
+        found = min(found, passed * prod(one.count for one in problem.ranges))
+    return found
 
 
 def _whole(trial: Trial) -> Trial:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite
 from pathlib import Path
 
 from ..grading.told.slip import said_of
+from ..limits import ROSTER
 from ..problem.asked.asks import AskNamed, AskRel
 from ..problem.problem import Problem
 from ..problem.values.vary import parameters
@@ -24,8 +24,8 @@ def told(name: str, pilot: Pilot) -> Iterator[Words]:
         f"{name}：随机取值的 {100 * pilot.passed:.1f} % 合格" + (f"；不合格的原因：{zh}" if zh else ""),
         f"{name}: {100 * pilot.passed:.1f} % of the draws pass" + (f"; the others fail: {en}" if en else ""),
     )
-    if isfinite(pilot.room):
-        count = max(1, round(pilot.room))
+    if pilot.room < ROSTER:
+        count = max(1, int(float(f"{pilot.room:.2g}")))
         yield Words(
             f"能使读数互相拉开距离的学生约 {count} 名；更多时请{Condition.APART.remedy.zh}",
             f"about {count} student{'s' * (count > 1)} can be told apart by their readings; for more, "

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Iterable, Sequence
 from io import StringIO
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
 
-from ...errors import VecpolyError
+from ...errors import FaultError, VecpolyError
 from ...problem.problem import Problem
+from ...problem.schema.validate import first_told
 from ...problem.text.source import read
 from ...words import Words
 from ..register import Register, Sheet
@@ -32,9 +34,22 @@ class Profile(BaseModel):
     """A table for a platform: the name of the file, whether it begins with the mark of UTF-8, its columns."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
-    file: str = Field(pattern=r"^[\w\-]+\.csv$")
+    file: str
     mark: bool = True
     columns: tuple[ColumnOf, ...] = Field(min_length=1)
+
+    @field_validator("file")
+    @classmethod
+    def _is_a_name(cls, file: str) -> str:
+        if not re.fullmatch(r"[\w\-]+\.csv", file):
+            raise FaultError(
+                Words(
+                    f"“{file}”不是文件名；应为字母、数字、“-”、“_”，以 .csv 结尾",
+                    f"'{file}' is no name of the file: letters, digits, '-' and '_', and .csv at the end",
+                ),
+                code="spelling",
+            )
+        return file
 
 
 def read_profile(path: Path) -> Profile:
@@ -42,17 +57,12 @@ def read_profile(path: Path) -> Profile:
     try:
         return Profile.model_validate(read(path).data)
     except ValidationError as error:
-        first = error.errors()[0]
-        where = ".".join(map(str, first["loc"]))
-        raise VecpolyError(
-            Words(
-                f"{path}：{where}：{first['msg']}；如写 "
-                f"{{file: xuexitong.csv, columns: [{{head: 学号, holds: number}}]}}",
-                f"{path}: {where}: {first['msg']}; write e.g. "
-                f"{{file: xuexitong.csv, columns: [{{head: No, holds: number}}]}}",
-            ),
-            code="profile",
-        ) from None
+        example = Words(
+            "（如 {file: xuexitong.csv, columns: [{head: 学号, holds: number}]}）",
+            " (e.g. {file: xuexitong.csv, columns: [{head: No, holds: number}]})",
+        )
+        said = Words(f"{path}：", f"{path}: ") + first_told(Profile, error) + example
+        raise VecpolyError(said, code="profile") from None
 
 
 def table_bytes(register: Register, profile: Profile) -> bytes:

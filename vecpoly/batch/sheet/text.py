@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...board.construction import EquationTable
+from ...board.paper.extent import extent
 from ...foundation.data import data_dir
 from ...report.content import Objects, beside_tables
 from ...report.document import PICTURE
@@ -20,11 +21,13 @@ from ...report.tables import given_tables
 from ...report.templates import filled
 from ...solution import Solution
 from ...typeset.box import MM
+from ...variants.frames import beside_sheet
 from ...words import Lang, Words
 from .layout import BOTTOM, LEFT, RIGHT, TOP
 
 WIDTH, HEIGHT = RIGHT - LEFT, TOP - BOTTOM
 BLANK, LEAST = 24.0, 13.0  # mm for what is written into an equation, and where it has many terms
+AROUND = 15.0  # mm above and below a diagram that is drawn where the work is done
 _UNDERSCORE = 1.85  # mm in running text
 
 
@@ -45,15 +48,18 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
     """The text of a problem, page after page."""
     objects, solution = Objects(), solution.toned({})  # a question is in black
     drawn = sketched(solution.problem, solution.construction, *PICTURE)
+    beside = beside_sheet(solution.construction.figures)
     tables = [step.equation for step in solution.construction.steps if step.equation]
     context = {
         **beside_tables(solution, lang),
         "blanks": [objects.add("eq", _emptied(table, n)) for n, table in enumerate(tables, 1)],
         "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
+        "unframed": Words("、", ", ").of(lang).join(one.title.of(lang) for one in beside),
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
-    return worked(paged(to_flowables(xml, objects.named, lang)), working_room(solution))
+    need = working_room(solution) + sum(extent(one.marks)[1] + AROUND for one in beside)
+    return worked(paged(to_flowables(xml, objects.named, lang)), need)
 
 
 def worked(pages: tuple[tuple[Placed, ...], ...], need: float) -> tuple[tuple[Placed, ...], ...]:

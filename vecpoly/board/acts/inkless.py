@@ -47,13 +47,13 @@ class Parallel(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ray(Done):
-    """Set out a line through a point at an angle from a drawn direction, by protractor; of_friction: by the angle of
-    friction, which nobody takes for its complement."""
+    """Set out a line through a point at an angle from a drawn direction, by protractor; known: by an angle of
+    friction, or one that a diagram tells, which nobody takes for its complement."""
 
     verb: ClassVar[Words | None] = Words("作射线", "ray")
     at: complex
     along: complex
-    of_friction: bool = False
+    known: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

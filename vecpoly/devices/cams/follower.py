@@ -115,6 +115,13 @@ class Follower(BaseModel):
             )
 
     @property
+    def remedy(self) -> Words:
+        """What to do about a profile that is undercut: a flat face has no roller."""
+        if self.roller:
+            return Words("请减小滚子或加大 r0", "take a smaller roller or a larger r0")
+        return Words("请加大 r0，或减小行程、加大其转角", "take a larger r0, or a smaller stroke over a larger angle")
+
+    @property
     def radius(self) -> float:
         """Of the roller (m); 0 of a knife edge."""
         return self.roller.si if self.roller else 0.0

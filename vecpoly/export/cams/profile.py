@@ -55,10 +55,9 @@ def profile_of(problem: Problem) -> Profile:
     if is_spoilt(board, cam):
         raise NoMethodError(
             Words(
-                "凸轮廓线失真，不能加工，不写出；请减小滚子或加大 r0",
-                "the profile is undercut and cannot be made, so it is not written; take a smaller roller or a larger "
-                "r0",
-            ),
+                "凸轮廓线失真，不能加工，不写出；", "the profile is undercut and cannot be made, so it is not written; "
+            )
+            + cam.follower.remedy,
             code="export-cam",
         )
     counts = [max(ceil(degrees(piece.angle) / STEP), 2) for piece in cam.pieces]

@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from ...batch.roster import plain
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
+from ...problem.schema.validate import first_told
 from ...problem.text.source import read
 from ...words import Words
 from .heads import Head, head
@@ -83,12 +84,10 @@ def _parsed(path: Path) -> list[Document]:
             return Documents.model_validate(data).students
         return [Document.model_validate(data)]
     except ValidationError as error:
-        first = error.errors()[0]
-        where = ".".join(map(str, first["loc"]))
-        raise TableError(
-            Words(
-                f"{path}：{where}：{first['msg']}；应写 {{student: 学号, answers: {{3-9: {{v_E: 0.173}}}}}}",
-                f"{path}: {where}: {first['msg']}; write {{student: number, answers: {{3-9: {{v_E: 0.173}}}}}}",
-            ),
-            code="document",
-        ) from None
+        model = Documents if "students" in data else Document
+        example = Words(
+            "（如 {student: 学号, answers: {3-9: {v_E: 0.173}}}）",
+            " (e.g. {student: number, answers: {3-9: {v_E: 0.173}}})",
+        )
+        said = Words(f"{path}：", f"{path}: ") + first_told(model, error) + example
+        raise TableError(said, code="document") from None

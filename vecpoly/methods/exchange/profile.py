@@ -174,10 +174,10 @@ def _outline(profile: CamProfile) -> tuple[complex, ...]:
     if is_spoilt(board, cam):
         raise NoMethodError(
             Words(
-                f"凸轮 {profile.link} 的廓线失真，从动件不能按运动规律运动；请减小滚子或加大 r0",
-                f"the profile of cam {profile.link} is undercut, so that the follower cannot keep to its law; take a "
-                "smaller roller or a larger r0",
-            ),
+                f"凸轮 {profile.link} 的廓线失真，从动件不能按运动规律运动；",
+                f"the profile of cam {profile.link} is undercut, so that the follower cannot keep to its law; ",
+            )
+            + cam.follower.remedy,
             code="undercut",
         )
     return tuple(complex(spot) for edge in outlined(board, cam, EVERY) for spot in edge)

@@ -177,9 +177,9 @@ def _refuse_spoilt(profile: CamProfile) -> None:
     if spoilt(profile.cam):
         raise NoMethodError(
             Words(
-                f"构件 {profile.link} 的凸轮廓线失真，从动件不能按运动规律运动；请减小滚子或加大 r0",
-                f"the profile of cam {profile.link} is undercut, so that the follower cannot keep to its law; take a "
-                "smaller roller or a larger r0",
-            ),
+                f"构件 {profile.link} 的凸轮廓线失真，从动件不能按运动规律运动；",
+                f"the profile of cam {profile.link} is undercut, so that the follower cannot keep to its law; ",
+            )
+            + profile.cam.follower.remedy,
             code="undercut",
         )

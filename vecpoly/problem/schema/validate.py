@@ -41,6 +41,8 @@ _LISTS = {
     "errata": "['...']",
     "independent": "[bc2]",
     "first": "[v_C]",
+    "columns": "[{head: No, holds: number}]",
+    "motion": "[rise 30 mm in 120 deg cosine, dwell 30 deg, return in 120 deg sine, dwell 90 deg]",
 }
 _UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "TableSpec", "dict[str,any]"}
 
@@ -55,6 +57,12 @@ def validate(model: type[Model], data: Any, faults: Faults, *below: str) -> Mode
             faults.note(_fault(model, path, item).under(*below))
     faults.settle()
     raise AssertionError("validation failed without a fault")  # pragma: no cover
+
+
+def first_told(model: type[BaseModel], error: ValidationError) -> Words:
+    """The first of what is wrong, with its place in the data: columns.0.head: ..."""
+    item = _best(error)[0]
+    return Words.same(f"{'.'.join(map(str, item['loc']))}: ") + _fault(model, item["loc"], item).words
 
 
 def _best(error: ValidationError) -> list[Any]:
@@ -121,7 +129,7 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
             expected = item["ctx"]["expected"]
             zh = f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一"
             return FaultError(Words(zh, f"'{written}' is not one of {expected}"), *path, code="spelling")
-        case "list_type":
+        case "list_type" | "tuple_type" if item["type"] == "list_type" or _is_list(model, path):
             return FaultError(_list_wanted(path, written), *path, code="spelling")
         case "tuple_type" if len(path) == 2 and path[0] in ("frame", "guesses") and str(path[-1])[:1].isdigit():
             return FaultError(_outside(path[-1]), *path, code="spelling")
@@ -177,10 +185,20 @@ def _list_wanted(path: tuple[str | int, ...], written: Any) -> Words:
 
 def _model_at(model: type[BaseModel], path: tuple[str | int, ...]) -> type[BaseModel]:
     """The model of what stands at this path."""
+    return next((kind for kind in _kinds_at(model, path) if _is_model(kind)), model)
+
+
+def _is_list(model: type[BaseModel], path: tuple[str | int, ...]) -> bool:
+    """Whether as many entries as one likes may stand at this path, not two."""
+    return any(get_origin(kind) is tuple and ... in get_args(kind) for kind in _kinds_at(model, path))
+
+
+def _kinds_at(model: type[BaseModel], path: tuple[str | int, ...]) -> tuple[Any, ...]:
+    """What may stand at this path."""
     kinds: tuple[Any, ...] = (model,)
     for step in path:
         kinds = tuple(inner for kind in kinds for inner in _within(kind, step)) or kinds
-    return next((kind for kind in kinds if _is_model(kind)), model)
+    return kinds
 
 
 def _within(kind: Any, step: str | int) -> Iterator[Any]:

@@ -12,12 +12,14 @@ from ...problem.values.vary import data_of
 from ...words import Words
 from ..pilot import Pilot, pilot
 from ..told import said_already
+from .fitting import fitted
 from .numbers import Span, numbers
 
 ENOUGH = 0.15  # of the draws must pass
 MOST = 4  # numbers that differ from student to student
 TRIES = 10  # numbers that are tried
-GAIN, FEW = 1.2, 3  # times as many students must have room by one more, where it is more than a few
+GAIN = 1.2  # times as many students must have room by one more
+FEW = 3  # students: where fewer have room, another number by itself may serve better
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,24 +33,41 @@ class Proposal:
 def proposal(problem: Problem, students: int) -> Proposal:
     """Ranges by which so many students have numbers of their own, as far as there are such.
 
-    Numbers that the text of the problem tells stay as they are. Raises VecpolyError where none can be varied.
+    Numbers that the text of the problem tells stay as they are, and those that are bound to others, as the radii of
+    gears to the distance of their axes. Raises VecpolyError where none can be varied.
     """
-    chosen, found, why = tuple[Span, ...](), None, None
-    for tried, spans in enumerate(_free(problem)):
-        if tried == TRIES or len(chosen) == MOST or (found is not None and found.room >= students):
+    found, why = None, None
+    for tried, spans in enumerate(free(problem)):
+        if tried == TRIES or (found is not None and (len(found.ranges) == MOST or found.pilot.room >= students)):
             break
         for span in spans:
             try:
-                now = pilot(ranged(problem, (*chosen, span)))
+                better = _with(problem, found, span)
             except VecpolyError as error:
                 why = why or error
                 continue
-            if _serves(now, found):
-                chosen, found = (*chosen, span), now
+            if better is not None:
+                found = better
                 break
     if found is None:
         raise _nothing(problem, why)
-    return Proposal(ranges=chosen, pilot=found)
+    return found
+
+
+def _with(problem: Problem, found: Proposal | None, span: Span) -> Proposal | None:
+    """What this number makes better: by itself, where what varies already hardly tells two students apart, or with it;
+    None where it does not."""
+    before = None if found is None else found.pilot
+    if found is None or found.pilot.room < FEW:
+        alone = _tried(problem, (span,), before)
+        if alone is not None or found is None:
+            return alone
+    return _tried(problem, (*found.ranges, span), before)
+
+
+def _tried(problem: Problem, spans: tuple[Span, ...], before: Pilot | None) -> Proposal | None:
+    now = pilot(ranged(problem, spans))
+    return Proposal(ranges=spans, pilot=now) if _serves(now, before) else None
 
 
 def ranged(problem: Problem, spans: Sequence[Span]) -> Problem:
@@ -61,21 +80,22 @@ def _serves(now: Pilot, before: Pilot | None) -> bool:
     """Whether enough draws pass; where some numbers vary already, nothing more is demoted, and more students differ."""
     if now.passed < ENOUGH or before is None:
         return now.passed >= ENOUGH
-    return now.standard.demoted <= before.standard.demoted and (before.room < FEW or now.room >= GAIN * before.room)
+    return now.standard.demoted <= before.standard.demoted and now.room >= GAIN * before.room
 
 
-def _free(problem: Problem) -> Iterator[Sequence[Span]]:
-    """The numbers that may vary and that the text of the problem does not tell."""
+def free(problem: Problem) -> Iterator[Sequence[Span]]:
+    """The numbers that may vary and that the text of the problem does not tell, each as far as it can."""
     for spans in numbers(data_of(problem)):
-        if free := [span for span in spans if _varies(problem, span)]:
-            yield free
+        if free := dict.fromkeys(fit for span in spans if (fit := _varied(problem, span)) is not None):
+            yield tuple(free)
 
 
-def _varies(problem: Problem, span: Span) -> bool:
+def _varied(problem: Problem, span: Span) -> Span | None:
     try:
-        return not any(said_already(ranged(problem, [span])))
+        one = ranged(problem, [span])
     except VecpolyError:
-        return False
+        return None
+    return None if any(said_already(one)) else fitted(one, span)
 
 
 def _nothing(problem: Problem, why: VecpolyError | None) -> VecpolyError:

@@ -21,6 +21,7 @@ _MOST = Decimal("0.35")  # of the value: how far a range goes to either side
 _SHARE = 25  # a step is about so much of the value
 _TURN = Decimal(5)  # deg, of a position of the drive
 WIDE, NARROW = 8, 3  # steps to either side
+DIGITS = 5  # of a number that somebody set; what has more was reckoned from others
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,9 +53,12 @@ def _rank(name: str) -> int:
 
 def spread(written: str, steps: int, *, of_drive: bool = False) -> str:
     """A range of so many round steps to either side of a value as it is written: three of 30 mm are 27 mm .. 33 mm by
-    1 mm, and of 17 teeth 14 .. 20 by 1; nothing where there is no number, or nought, or no step is small enough."""
+    1 mm, and of 17 teeth 14 .. 20 by 1; nothing where there is no number, or nought, or one with
+    many digits, or no step is small enough."""
     found = _NUMBER.fullmatch(written)
     if found is None or not (value := Decimal(found[1])):
+        return ""
+    if len(value.normalize().as_tuple().digits) > DIGITS:
         return ""
     unit = (found[2] or "").strip()
     if " " in _SENSE.sub("", unit):  # 7 um at 63 deg

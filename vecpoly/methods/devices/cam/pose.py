@@ -151,7 +151,7 @@ def _tip(board: Board, cam: Cam, pivot: Points, s: Reals, mm: float) -> tuple[Po
     assert cam.r0 and cam.arm
     ab, circles = cam.arm[1], Words("基圆与摆杆", "the base circle and the arm")
     base = board.arcs(0j, cam.r0.si / mm, pivot, ab / mm, circles)[0 if cam.side > 0 else 1]
-    b = board.lay_off(pivot, unit(base - pivot) * np.exp(-1j * cam.side * s), ab / mm)
+    b = board.lay_off(pivot, board.leaned(unit(base - pivot), -cam.side * s, key="ψ"), ab / mm)
     return base, b, unit(b)
 
 
@@ -162,7 +162,7 @@ def _face(board: Board, cam: Cam, pivot: Points, s: Reals, mm: float) -> tuple[P
     circles = Words("半径 $r_0$ − $d$ 的圆与以 $OA$ 为直径的圆", "the circle of radius r_0 − d and that over OA")
     thales = board.arcs(0j, level, pivot / 2, cam.arm[0] / mm / 2, circles)[0 if cam.side > 0 else 1]
     first = unit(thales)
-    facing = first * np.exp(-1j * cam.side * s)
+    facing = board.leaned(first, -cam.side * s, key="ψ")
     if not cam.face:
         return pivot, pivot, facing
     return board.lay_off(pivot, first, off), board.lay_off(pivot, facing, off), facing
