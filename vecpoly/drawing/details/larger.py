@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import fields
 from typing import Any
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Block, Cell, FixedGuide, Hatched, Mark, Vector
+from ...board.paper.arrow_radius import clear_radius
+from ...board.paper.marks import Block, Cell, FixedGuide, Hatched, Mark, TurnArrow, Vector
 from ...foundation.slotted import replace
 
 _PLACES, _SIZES = frozenset(("a", "b", "at", "centre")), frozenset(("radius",))
@@ -24,8 +26,16 @@ def may_be_larger(figure: Figure) -> bool:
 
 def larger(figure: Figure, factor: float) -> Figure:
     """The figure at its finer scale, by the same symbol."""
-    scale = replace(figure.scale, value=figure.scale.value / factor)
-    return replace(figure, scale=scale, marks=tuple(_mark(mark, factor) for mark in figure.marks))
+    scale, made = replace(figure.scale, value=figure.scale.value / factor), list[Mark]()
+    for mark in figure.marks:
+        made.append(_turning(mark, factor, made) if isinstance(mark, TurnArrow) else _mark(mark, factor))
+    return replace(figure, scale=scale, marks=tuple(made))
+
+
+def _turning(mark: TurnArrow, factor: float, beside: Sequence[Mark]) -> TurnArrow:
+    """A curved arrow is a symbol: as far from its centre as it stood, unless a circle runs there now."""
+    at = mark.at * factor
+    return replace(mark, at=at, radius=clear_radius(beside, at, mark.radius))
 
 
 def _mark(mark: Mark, factor: float) -> Mark:
