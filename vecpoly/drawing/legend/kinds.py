@@ -124,8 +124,14 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind(
         words=Words("构件的影像", "image of a link"),
-        met=lambda _, mark: isinstance(mark, ImageOf) and is_seen(mark.points),
+        met=lambda figure, mark: isinstance(mark, ImageOf) and is_seen(mark.points) and figure.view.images,
         sample=image,
+    ),
+    Kind(
+        words=Words("三弧围成的误差三角形", "triangle of error between the arcs"),
+        met=lambda figure, mark: isinstance(mark, ImageOf) and is_seen(mark.points) and not figure.view.images,
+        sample=image,
+        brief=Words("误差三角形", "triangle of error"),
     ),
     Kind(
         words=Words("已知瞬心", "known centre"),
