@@ -43,7 +43,6 @@ from .met import (
     is_lone_profile,
     is_other_position,
     is_other_solution,
-    is_rim,
     of_profile,
     of_rotor,
     on_curvature,
@@ -207,7 +206,7 @@ KINDS: tuple[Kind, ...] = (
             and mark.role in (Role.DIRECTION, Role.CONSTRUCTION)
             and mark.owner != RING
             and not is_line_of_action(mark)
-            and not (is_rim(mark) and osculates(figure, mark))
+            and not osculates(figure, mark)
         ),
         sample=lambda _: (Segment(a=0j, b=complex(WIDE), role=Role.CONSTRUCTION),),
         plain=True,
