@@ -54,7 +54,8 @@ class Crowd:
         lettered = [m for m in figure.marks if isinstance(m, Point) and m.label and m.dot is not Dot.NONE]
         own = _distinct(m.at for m in lettered if _LETTER.fullmatch(m.label))
         vectors = [m for m in figure.marks if isinstance(m, Vector) and polygon]
-        ends, found = _ends_of(vectors), _ends_of(m for m in vectors if m.role is Role.RESULT)
+        read = figure.view.images or figure.view is View.FORCE
+        ends, found = _ends_of(vectors), _ends_of(m for m in vectors if read and m.role is Role.RESULT)
         across = max(extent(figured(figure.marks)))
         places = _distinct(m.at for m in lettered)
         images = dict.fromkeys(m.points for m in figure.marks if isinstance(m, ImageOf) and len(m.points) > 2)

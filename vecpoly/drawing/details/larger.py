@@ -11,6 +11,7 @@ from ...board.paper.arrow_radius import clear_radius
 from ...board.paper.marks import Block, Cell, FixedGuide, Hatched, Mark, TurnArrow, Vector
 from ...foundation.slotted import replace
 
+USUAL = 9.0  # mm: how far from its centre a curved arrow stands
 _PLACES, _SIZES = frozenset(("a", "b", "at", "centre")), frozenset(("radius",))
 
 
@@ -26,16 +27,20 @@ def may_be_larger(figure: Figure) -> bool:
 
 def larger(figure: Figure, factor: float) -> Figure:
     """The figure at its finer scale, by the same symbol."""
-    scale, made = replace(figure.scale, value=figure.scale.value / factor), list[Mark]()
-    for mark in figure.marks:
-        made.append(_turning(mark, factor, made) if isinstance(mark, TurnArrow) else _mark(mark, factor))
+    scale = replace(figure.scale, value=figure.scale.value / factor)
+    made = [_mark(mark, factor) for mark in figure.marks]
+    stood = [mark for mark in made if not isinstance(mark, TurnArrow)]
+    for n, mark in enumerate(figure.marks):
+        if isinstance(mark, TurnArrow):
+            made[n] = _turning(mark, factor, stood)
+            stood.append(made[n])
     return replace(figure, scale=scale, marks=tuple(made))
 
 
 def _turning(mark: TurnArrow, factor: float, beside: Sequence[Mark]) -> TurnArrow:
-    """A curved arrow is a symbol: as far from its centre as it stood, unless a circle runs there now."""
-    at = mark.at * factor
-    return replace(mark, at=at, radius=clear_radius(beside, at, mark.radius))
+    """A curved arrow is a symbol: as far from its centre as it stood, or as is usual, unless a circle runs there."""
+    at, least = mark.at * factor, min(mark.radius * factor, max(mark.radius, USUAL))
+    return replace(mark, at=at, radius=clear_radius(beside, at, least))
 
 
 def _mark(mark: Mark, factor: float) -> Mark:
