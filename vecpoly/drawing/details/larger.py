@@ -29,7 +29,7 @@ def larger(figure: Figure, factor: float) -> Figure:
     """The figure at its finer scale, by the same symbol."""
     scale = replace(figure.scale, value=figure.scale.value / factor)
     made = [_mark(mark, factor) for mark in figure.marks]
-    stood = [mark for mark in made if not isinstance(mark, TurnArrow)]
+    stood: list[Mark] = [mark for mark in made if not isinstance(mark, TurnArrow)]
     for n, mark in enumerate(figure.marks):
         if isinstance(mark, TurnArrow):
             made[n] = _turning(mark, factor, stood)
