@@ -55,3 +55,12 @@ def test_every_position_that_is_drawn_has_its_results_on_its_sheets(name: str) -
     """Of what was asked at least what is no part of a vector: a long list had no room."""
     for one in chosen(studied(name), "en"):
         assert any(RESULTS.en in dict(_texts(sheet.results)) for sheet in one.sheets), one.phi
+
+
+def test_what_is_constructed_on_a_mechanism_is_drawn_no_smaller_to_save_a_sheet() -> None:
+    given, *others = chosen(studied("curv-1"), "en")
+    for one in others:
+        own = [
+            figure.scale.value for figure in one.solution.construction.figures if figure.name and figure.scale.symbol
+        ]
+        assert min(own, default=0.0) <= 1.3 * given.solution.construction.figures[0].scale.value

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -35,8 +36,8 @@ def polygon(short: float, *, view: View = View.FORCE, name: str = "2") -> Figure
     return Figure(view=view, title=Words("力多边形", "Force polygon"), scale=scale, marks=tuple(marks), name=name)
 
 
-@pytest.mark.parametrize("short", [0.3, 0.6, 1.2, 2.0, 2.9])
-def test_a_vector_of_less_than_three_millimetres_is_drawn_apart_and_readable_there(short: float) -> None:
+@pytest.mark.parametrize("short", [0.3, 0.6, 1.2, 2.0, 2.9, 3.4, 4.4])
+def test_a_vector_that_is_found_and_short_is_drawn_apart_and_readable_there(short: float) -> None:
     main, detail = detailed(polygon(short))
     (knot,) = knots(polygon(short))
     (long,) = [abs(m.b - m.a) for m in detail.marks if isinstance(m, Vector) and m.label == "F_1"]
@@ -49,9 +50,16 @@ def test_a_vector_of_less_than_three_millimetres_is_drawn_apart_and_readable_the
     assert (ring.radius, abs(ring.sweep)) == pytest.approx((knot.radius, 2 * np.pi))
 
 
-@pytest.mark.parametrize("short", [0.05, 3.0, 20.0])
+@pytest.mark.parametrize("short", [0.05, 4.5, 20.0])
 def test_what_no_enlargement_shows_and_what_is_long_enough_is_left_as_it_is(short: float) -> None:
     assert detailed(polygon(short)) == (polygon(short),)
+
+
+@pytest.mark.parametrize(("short", "apart"), [(2.9, True), (3.1, False), (4.4, False)])
+def test_a_vector_that_is_laid_off_is_drawn_apart_only_where_it_cannot_be_measured(short: float, apart: bool) -> None:
+    plain = polygon(short)
+    marks = tuple(replace(mark, role=Role.GIVEN) if isinstance(mark, Vector) else mark for mark in plain.marks)
+    assert (len(detailed(replace(plain, marks=marks))) == 2) is apart
 
 
 def test_free_bodies_have_no_details_for_their_arrows_have_no_length() -> None:

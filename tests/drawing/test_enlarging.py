@@ -12,7 +12,8 @@ from tests.drawn_library import drafted
 from tests.drawn_sheets import laid
 from vecpoly.board.acts.inkless import is_reading
 from vecpoly.board.construction import Figure, View
-from vecpoly.board.paper.marks import Block, FrictionCircle, Point, Role, Segment
+from vecpoly.board.paper.arrow_radius import STEP, STEPS
+from vecpoly.board.paper.marks import Block, FrictionCircle, Point, Role, Segment, TurnArrow
 from vecpoly.board.paper.scales import HALF, SERIES
 from vecpoly.drawing.details.larger import larger
 from vecpoly.drawing.figure import drawing
@@ -98,3 +99,13 @@ def test_a_friction_circle_grows_with_its_body_and_a_block_keeps_its_size() -> N
     round_, slid, long = larger(replace(old, marks=(circle, block, rod)), 2.0).marks
     assert round_ == FrictionCircle(centre=8 + 4j, radius=3.0, enlarged=3.0)
     assert slid == Block(at=20 + 0j, along=1j) and isinstance(long, Segment) and abs(long.b - long.a) == 10.0
+
+
+@pytest.mark.parametrize("name", ["2-6", "2-10", "2-13", "crank-pin-in-slot"])
+def test_a_curved_arrow_is_a_symbol_and_no_larger_in_a_figure_that_is_larger(name: str) -> None:
+    turned = 0
+    for old, new in _pairs(name):
+        radii = [[mark.radius for mark in one.marks if isinstance(mark, TurnArrow)] for one in (old, new)]
+        turned += len(radii[0]) if new.marks != old.marks else 0
+        assert all(was <= now <= was + STEP * STEPS for was, now in zip(*radii, strict=True))
+    assert turned

@@ -137,6 +137,11 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
         ("cam-moves-arm", {"circle of curvature of the profile"}, {"osculating circle"}),
         ("6-6", {"concentrated mass", "balancing mass"}, {"hole to drill, negative mass"}),
         ("rotor-blind-hole", {"hole to drill, negative mass"}, {"balancing mass"}),
+        (
+            "field-four-runs",
+            {"triangle of error between the arcs", "trial weight", "balancing mass"},
+            {"image of a link", "concentrated mass", "body of a link"},
+        ),
         ("6-5", {"correction plane"}, {"inflection pole"}),
         ("engine-single", {"concentrated mass"}, {"correction plane"}),
         ("straight-roberts", {"coupler curve"}, {"to a centre at infinity"}),

@@ -15,7 +15,7 @@ from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.scene import Item, Stroke
 from vecpoly.drawing.widened import LEAST, MOST, widened
 
-OPENED = ("8-18", "8-4", "8-15")  # in which leaders of angles crossed other lines
+OPENED = ("8-18", "8-15")  # in which leaders of angles crossed other lines
 
 
 def _figures(name: str) -> Iterator[Figure]:

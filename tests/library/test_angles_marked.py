@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from itertools import combinations
-from math import degrees
+from math import degrees, pi
 
 from tests.drawn_library import IDS, drawn, given, ids
 from tests.each import Later, each
@@ -28,6 +28,13 @@ def angles(name: str) -> list[AngleMark]:
     """The angles that are marked in all figures."""
     figures = drawn(name).construction.figures
     return [mark for figure in figures for mark in figure.marks if isinstance(mark, AngleMark)]
+
+
+@each(Later(lambda: dict.fromkeys((*DESIGNS, "8-7"))))
+def test_no_direction_of_a_line_is_marked_twice_on_either_side_of_its_pivot(name: str) -> None:
+    for a, b in combinations(angles(name), 2):
+        if abs(a.at - b.at) < 1e-6 and abs(a.start - b.start) < 1e-6:
+            assert abs(abs(a.sweep - b.sweep) - pi) > 1e-6, (a.label, b.label)
 
 
 @each(DESIGNS)

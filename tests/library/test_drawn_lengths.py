@@ -68,7 +68,7 @@ def test_every_point_of_a_link_has_the_oracle_s_vector_on_every_polygon(name: st
 
 GUIDES = [
     (re.compile(r"^Join \$(\w)\$ and \$(\w)\$: the direction of link (\w+)"), False),
-    (re.compile(r"^From \$(\w)\$ draw the tangent to the circle about \$(\w)\$ .* the guide of link (\w+)"), True),
+    (re.compile(r"^From \$(\w)\$ draw the tangent to the arc about \$(\w)\$ .* the guide of link (\w+)"), True),
 ]
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import pi
+from collections.abc import Callable, Iterator, Sequence
+from math import pi, radians, tau
 
 import numpy as np
 
@@ -18,6 +18,8 @@ from .place import Place
 from .strokes import amount, spot
 
 WIDER = 0.62  # of a segment: radius of the equal arcs about its ends that bisect it
+JOINED = radians(100)  # nearer meetings of a circle lie on one arc
+PAST, TOUCHED = 7.0, radians(45)  # beyond its last meeting: mm; on either side of a single one
 
 
 class Compass(Instruments):
@@ -28,6 +30,19 @@ class Compass(Instruments):
         head = self.head(centre, radius, start, end, on=view)
         first, sweep = amount(np.angle(start - centre)), amount(np.angle((end - centre) / (start - centre)))
         self.log(done.Swing(head=head, centre=spot(centre), radius=amount(radius), start=first, sweep=sweep % (2 * pi)))
+
+    def arcs_past(self, view: Place, centre: Points, radius: Reals, *at: Points) -> None:
+        """Leave of a circle what is needed to see its meetings: an arc past those that are near each other, a wider one
+        about a single point, where it is touched."""
+        middle, far = spot(centre), amount(radius)
+        beyond = TOUCHED if len(at) == 1 else min(PAST / max(float(far), PAST), TOUCHED)
+        for first, last in _near(at, complex(middle)):
+            start, end = spot(first) - middle, spot(last) - middle
+            sweep = 0.0 if first is last else amount(np.angle(end / start)) % tau
+            head, begin = self.head(centre, radius, first, last, on=view), amount(np.angle(start)) - beyond
+            whole = float(sweep) + 2 * beyond >= tau
+            over = tau if whole else sweep + 2 * beyond
+            self.log(done.Swing(head=head, centre=middle, radius=far, start=begin, sweep=over))
 
     def bisector(self, view: Place, a: Points, b: Points) -> Line:
         """The perpendicular bisector of a segment, by equal arcs about both ends; it is ruled through both meetings."""
@@ -75,6 +90,22 @@ class Compass(Instruments):
         wrong = [hand for hand, slip in self.amended.wrong(self.here, key) if slip.mistake is Mistake.FORWARDS]
         at = self.amended.altered(back, ((hand, forwards()) for hand in wrong))
         return traced(at, self.log(done.Invert(head=self.head(at, key=key), at=spot(at))))
+
+
+def _near(points: Sequence[Points], centre: complex) -> Iterator[tuple[Points, Points]]:
+    """The first and the last of every row of points on a circle, counter-clockwise, that are near each other."""
+    ordered = sorted(points, key=lambda at: _way(at, centre))
+    ways = [_way(at, centre) for at in ordered]
+    gaps = [(way - before) % tau for before, way in zip((ways[-1], *ways[:-1]), ways, strict=True)]
+    gaps = gaps if len(gaps) > 1 else [tau]
+    heads = [n for n, gap in enumerate(gaps) if gap > JOINED] or [max(range(len(gaps)), key=gaps.__getitem__)]
+    for head, after in zip(heads, (*heads[1:], heads[0] + len(ordered)), strict=True):
+        yield ordered[head], ordered[(after - 1) % len(ordered)]
+
+
+def _way(at: Points, centre: complex) -> float:
+    """In which direction from the centre it lies, on the nominal sheet."""
+    return float(np.angle(complex(nominal(at)) - centre))
 
 
 def _misread(mistake: Mistake, angle: Reals) -> Reals:

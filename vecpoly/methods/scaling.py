@@ -26,7 +26,7 @@ from .passes import stages
 from .registry import Stage
 
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
-ROUGH = 1.6  # so much smaller a sketch does not tell well what stands round a figure
+ROUGH, LARGE = 1.6, 3.0  # so much smaller, or larger, a sketch does not tell well what stands round a figure
 SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 SLOT = (150.0, 100.0)  # mm, what a figure fills where no paper is known
 AGAIN = {Stage.CENTRES, Stage.CURVATURE}  # by which the mechanism may be drawn once more, to a scale of its own
@@ -84,9 +84,16 @@ def _chosen(problem: Problem, paper: Paper | None) -> tuple[Scales, Desk | None]
     while chosen[View.FORCE].value < guess[View.FORCE] / FAR and not given[View.FORCE]:  # a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
         chosen, sketch = _fitted(problem, guess, paper)
-    if paper is not None and any(guess[view] / chosen[view].value > ROUGH for view in guess):
+    if paper is not None and _rough(guess, chosen):
         chosen, sketch = _fitted(problem, {view: chosen[view].value for view in guess}, paper)
     return chosen, sketch
+
+
+def _rough(guess: Mapping[View, float], chosen: Mapping[Place, Scale]) -> bool:
+    """Whether a sketch was so much smaller than the drawing, or its mechanism so much larger: guides, stems and discs
+    do not tell then what stands round them."""
+    times = {view: guess[view] / chosen[view].value for view in guess}
+    return max(times.values()) > ROUGH or times[View.MECHANISM] < 1 / LARGE
 
 
 def _twice(problem: Problem) -> bool:

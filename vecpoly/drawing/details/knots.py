@@ -10,7 +10,7 @@ import numpy as np
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Dot, FrictionCircle, ImageOf, Point, Segment, Vector
+from ...board.paper.marks import Dot, FrictionCircle, ImageOf, Point, Role, Segment, Vector
 from ...board.ruler import READABLE
 from ...foundation.slotted import dataclass, replace
 from .knot import Knot, Trouble, about_image
@@ -21,6 +21,7 @@ PAIR, ABOUT = (1.6, 8.0), 7.0  # mm between two letters that lines may hide; abo
 LINES, OTHERS = 12, 1  # that end there, at least; details that there are already, at most
 TWINS = 0.3, 1.6  # mm: two letters so near to each other, and no nearer, can be told apart in a detail alone
 SLIGHT = 8.0  # so many times the longest side of an image its polygon measures, if it is drawn apart
+FAINT = 4.5  # mm: a vector that is found and read is drawn apart if it is shorter
 SPECK = 0.15  # mm: a vector shorter than this is none at 20:1 either
 ROUND = 4.0  # mm: on which side a line of action touches a friction circle that is less across is hardly seen
 APART = 0.05  # mm: letters at one place share a label
@@ -32,8 +33,8 @@ MOST = 3  # knots of a figure
 class Crowd:
     """What of a figure may be too near: where its letters belong, the ends of its vectors, how far it is across, mm;
     circles: the ends of a diameter of each friction circle; images: the corners of each image of a link; ends: of all
-    lines of a polygon; own: places of letters that are of no numbered series, where the neighbours would tell which is
-    which."""
+    lines of a polygon; found: the ends of vectors that are read; own: places of letters that are of no numbered series,
+    where the neighbours would tell which is which."""
 
     places: tuple[complex, ...]
     vectors: tuple[tuple[complex, complex], ...]
@@ -42,6 +43,7 @@ class Crowd:
     own: tuple[complex, ...] = ()
     images: tuple[tuple[complex, ...], ...] = ()
     ends: tuple[complex, ...] = ()
+    found: tuple[tuple[complex, complex], ...] = ()
 
     @classmethod
     def of(cls, figure: Figure) -> Crowd:
@@ -51,23 +53,28 @@ class Crowd:
             return cls((), (), 0.0)
         lettered = [m for m in figure.marks if isinstance(m, Point) and m.label and m.dot is not Dot.NONE]
         own = _distinct(m.at for m in lettered if _LETTER.fullmatch(m.label))
-        ends = ((m.a, m.b) for m in figure.marks if isinstance(m, Vector) and polygon)
+        vectors = [m for m in figure.marks if isinstance(m, Vector) and polygon]
+        read = figure.view.images or figure.view is View.FORCE
+        ends, found = _ends_of(vectors), _ends_of(m for m in vectors if read and m.role is Role.RESULT)
         across = max(extent(figured(figure.marks)))
         places = _distinct(m.at for m in lettered)
         images = dict.fromkeys(m.points for m in figure.marks if isinstance(m, ImageOf) and len(m.points) > 2)
-        return cls(tuple(places), tuple(ends), across, _circles(figure), tuple(own), tuple(images), _ends(figure))
+        lines = _ends(figure)
+        return cls(tuple(places), ends, across, _circles(figure), tuple(own), tuple(images), lines, found)
 
     def times(self, factor: float) -> Crowd:
         """As many times larger."""
-        ends, circles = (tuple((a * factor, b * factor) for a, b in some) for some in (self.vectors, self.circles))
+        pairs = (self.vectors, self.circles, self.found)
+        ends, circles, found = (tuple((a * factor, b * factor) for a, b in some) for some in pairs)
         places, own, lines = (tuple(at * factor for at in some) for some in (self.places, self.own, self.ends))
         images = tuple(tuple(at * factor for at in corners) for corners in self.images)
-        return Crowd(places, ends, self.across * factor, circles, own, images, lines)
+        return Crowd(places, ends, self.across * factor, circles, own, images, lines, found)
 
     @property
     def knots(self) -> tuple[Knot, ...]:
         """The places that are to be drawn apart, the worst first: circles none of which overlap."""
-        small = (*_short(self.vectors, READABLE), *_short(self.circles, ROUND, rim=True))
+        faint = [one for one in _short(self.found, FAINT) if abs(one.b - one.a) >= READABLE]
+        small = (*_short(self.vectors, READABLE), *faint, *_short(self.circles, ROUND, rim=True))
         left, found = _snapped([*_crowds(self.places), *_twins(self.own), *small]), list[Knot]()
         while left and len(found) < MOST:
             best = Nest.of(left).best(self.across, found)
@@ -120,6 +127,10 @@ def _short(vectors: Sequence[tuple[complex, complex]], least: float, *, rim: boo
             ends = frozenset(complex(round(z.real, 2), round(z.imag, 2)) for z in (a, b))
             found.setdefault(ends, Trouble(a, b, True, rim=rim))
     return list(found.values())
+
+
+def _ends_of(vectors: Iterable[Vector]) -> tuple[tuple[complex, complex], ...]:
+    return tuple((one.a, one.b) for one in vectors)
 
 
 def _circles(figure: Figure) -> tuple[tuple[complex, complex], ...]:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import fields
 from typing import Any
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Block, Cell, FixedGuide, Hatched, Mark, Vector
+from ...board.paper.arrow_radius import clear_radius
+from ...board.paper.marks import Block, Cell, FixedGuide, Hatched, Mark, TurnArrow, Vector
 from ...foundation.slotted import replace
 
+USUAL = 9.0  # mm: how far from its centre a curved arrow stands
 _PLACES, _SIZES = frozenset(("a", "b", "at", "centre")), frozenset(("radius",))
 
 
@@ -25,7 +28,19 @@ def may_be_larger(figure: Figure) -> bool:
 def larger(figure: Figure, factor: float) -> Figure:
     """The figure at its finer scale, by the same symbol."""
     scale = replace(figure.scale, value=figure.scale.value / factor)
-    return replace(figure, scale=scale, marks=tuple(_mark(mark, factor) for mark in figure.marks))
+    made = [_mark(mark, factor) for mark in figure.marks]
+    stood: list[Mark] = [mark for mark in made if not isinstance(mark, TurnArrow)]
+    for n, mark in enumerate(figure.marks):
+        if isinstance(mark, TurnArrow):
+            made[n] = _turning(mark, factor, stood)
+            stood.append(made[n])
+    return replace(figure, scale=scale, marks=tuple(made))
+
+
+def _turning(mark: TurnArrow, factor: float, beside: Sequence[Mark]) -> TurnArrow:
+    """A curved arrow is a symbol: as far from its centre as it stood, or as is usual, unless a circle runs there."""
+    at, least = mark.at * factor, min(mark.radius * factor, max(mark.radius, USUAL))
+    return replace(mark, at=at, radius=clear_radius(beside, at, least))
 
 
 def _mark(mark: Mark, factor: float) -> Mark:

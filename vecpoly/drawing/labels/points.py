@@ -11,6 +11,7 @@ from ...board.paper.marks import Dot, Mark, Point, Role, Segment
 from ...board.strokes import OVERRUN
 from ...typeset import Box, layout, layout_words
 from ...typeset.atoms import is_unit
+from ...typeset.runs import letters
 from ...words import Lang, Words
 from ..hues import Tones, line_hue
 from ..style import LETTER, THIN, Hue
@@ -46,12 +47,13 @@ def _lettered(text: str) -> Box:
 def points(marks: tuple[Mark, ...], taken: list[Spot], lang: Lang, tones: Tones) -> Iterable[Want]:
     """The label of every lettered place."""
     lines = [mark for mark in marks if isinstance(mark, Segment)]
+    numbered = any(isinstance(mark, Point) and mark.label == "II" for mark in marks)
     ruled = {mark.b: mark for mark in lines if mark.role is Role.DIRECTION}
     named = {
         end: mark for mark in lines if mark.role in NAMED and abs(mark.b - mark.a) > NEAR for end in (mark.a, mark.b)
     }
     for at, group in _once(_grouped(marks), ruled):
-        pieces = _pieces(group, lang, tones)
+        pieces = tuple(_pieces(group, lang, tones, numbered))
         if any(mark.dot is not Dot.NONE for mark in group):
             yield Want(pieces, (at,), (0j,), keep_at(at, taken), (at, at), thing=Thing.POINT)
         elif (action := line_of_action(group[0], lines)) is not None:
@@ -111,20 +113,22 @@ def _on(line: Segment, other: Segment) -> bool:
     return all(abs(((end - other.a) * along.conjugate()).imag) < ON_LINE for end in (line.a, line.b))
 
 
-def _pieces(group: Iterable[Point], lang: Lang, tones: Tones) -> tuple[Piece, ...]:
-    """Their names in one line, with commas between."""
-    pieces: list[Piece] = []
-    for mark in group:
-        x = pieces[-1].dx + pieces[-1].box.width if pieces else 0.0
-        if pieces:
+def _pieces(group: Iterable[Point], lang: Lang, tones: Tones, numbered: bool) -> Iterator[Piece]:
+    """Their names in one line, with commas between; numbered: I is a number among others, and no point."""
+    x = 0.0
+    for n, mark in enumerate(group):
+        if n:
             comma = Piece(layout(Txt(","), LETTER), x, Hue.BLACK, mark.step)
-            pieces.append(comma)
+            yield comma
             x += comma.box.width + 0.3 * LETTER
         if mark.said is not None and not mark.label:
-            pieces.append(Piece(layout_words(mark.said.of(lang), LETTER), x, Hue.BLACK, mark.step))
+            made = Piece(layout_words(mark.said.of(lang), LETTER), x, Hue.BLACK, mark.step)
+        elif mark.label == "I" and not numbered:
+            made = Piece(letters("I", LETTER, False), x, line_hue(mark.key, tones, Hue.BLACK), mark.step)
         else:
-            pieces.append(piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x))
-    return tuple(pieces)
+            made = piece(mark.label, line_hue(mark.key, tones, Hue.BLACK), mark.step, x)
+        yield made
+        x = made.dx + made.box.width
 
 
 def _through(at: complex, lines: Iterable[Segment]) -> Segment | None:

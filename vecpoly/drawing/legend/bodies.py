@@ -36,6 +36,16 @@ BODY = (-1j * HALF, WIDE - 1j * HALF, WIDE + 1j * HALF, 1j * HALF)  # corners of
 SMALL = HALF + 0.2  # mm: radius of a round sample
 
 
+def _on_trial(_: Figure, mark: Mark) -> bool:
+    """Whether it is a mass that is put on a rotor for one run."""
+    return isinstance(mark, Disc) and mark.owner.startswith("trial")
+
+
+def _stays(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a mass that the rotor has."""
+    return is_mass(Disc)(figure, mark) and not _on_trial(figure, mark)
+
+
 def _ring(mark: Mark) -> Marks:
     """A circle drawn as this one."""
     role = getattr(mark, "role", Role.RESULT)
@@ -102,7 +112,8 @@ BODIES: tuple[Kind, ...] = (
         met=at_infinity,
         sample=lambda _: arrow(Role.DIRECTION),
     ),
-    Kind(words=Words("集中质量", "concentrated mass"), met=is_mass(Disc), sample=_mass),
+    Kind(words=Words("集中质量", "concentrated mass"), met=_stays, sample=_mass),
+    Kind(words=Words("试重", "trial weight"), met=_on_trial, sample=_mass),
     Kind(words=Words("平衡质量", "balancing mass"), met=is_mass(Arc), sample=_mass),
     Kind(words=Words("原有的孔、键槽", "hole or keyway it has"), met=is_void, sample=_ring),
     Kind(words=Words("去重孔、负质量", "hole to drill, negative mass"), met=bored, sample=_mass),

@@ -43,7 +43,6 @@ from .met import (
     is_lone_profile,
     is_other_position,
     is_other_solution,
-    is_rim,
     of_profile,
     of_rotor,
     on_curvature,
@@ -124,8 +123,14 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind(
         words=Words("构件的影像", "image of a link"),
-        met=lambda _, mark: isinstance(mark, ImageOf) and is_seen(mark.points),
+        met=lambda figure, mark: isinstance(mark, ImageOf) and is_seen(mark.points) and figure.view.images,
         sample=image,
+    ),
+    Kind(
+        words=Words("三弧围成的误差三角形", "triangle of error between the arcs"),
+        met=lambda figure, mark: isinstance(mark, ImageOf) and is_seen(mark.points) and not figure.view.images,
+        sample=image,
+        brief=Words("误差三角形", "triangle of error"),
     ),
     Kind(
         words=Words("已知瞬心", "known centre"),
@@ -201,7 +206,7 @@ KINDS: tuple[Kind, ...] = (
             and mark.role in (Role.DIRECTION, Role.CONSTRUCTION)
             and mark.owner != RING
             and not is_line_of_action(mark)
-            and not (is_rim(mark) and osculates(figure, mark))
+            and not osculates(figure, mark)
         ),
         sample=lambda _: (Segment(a=0j, b=complex(WIDE), role=Role.CONSTRUCTION),),
         plain=True,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from math import tau
 
 from ...board.construction import Figure, View
 from ...board.paper.marks import Arc, Curve, Disc, Dot, Mark, Outline, Plate, Point, Role, Segment, Vector
@@ -11,6 +10,7 @@ from .letters import is_of_cam, is_of_curvature
 
 _FORCES = frozenset("FRQGNTWC")  # first letters of a force's symbol
 _PLACES = ("alpha_rise", "alpha_return", "rho_min")  # of a cam, each with a figure of its own
+_LONG = 1.5  # rad: a circle of which no more is drawn is where something meets
 _MASSES = ("mass", "trial", "crank", "counterweight")  # whose bodies on a rotor are masses
 Met = Callable[[Figure, Mark], bool]
 
@@ -115,16 +115,11 @@ def is_other_solution(figure: Figure, mark: Mark) -> bool:
     return traced(Role.SECOND, Segment)(figure, mark) and not _has_path(figure)
 
 
-def is_rim(mark: Mark) -> bool:
-    """Whether it is a whole circle."""
-    return isinstance(mark, Arc) and abs(abs(mark.sweep) - tau) < 1e-6
-
-
 def osculates(figure: Figure, mark: Mark) -> bool:
     """Whether it is the circle about a centre of curvature K."""
     return (
         isinstance(mark, Arc)
-        and is_rim(mark)
+        and abs(mark.sweep) > _LONG
         and mark.role is Role.CONSTRUCTION
         and any(
             isinstance(one, Point) and one.label[:1] == "K" and abs(one.at - mark.centre) < 0.1 for one in figure.marks

@@ -43,11 +43,11 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
         Words(
             f"取圆 $η{primes}$ 上{lies[0]} $A{primes}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$（在过 $O{primes}$ 的 "
             f"$C_{{1}}C_2$ 的垂线上），以 $M{primes}$ 为圆心、"
-            f"$M{primes}C_1$ 为半径作圆；"
-            f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
+            f"$M{primes}C_1$ 为半径作弧；"
+            f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，两弧交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
             f"$η{primes}$ 交于 $A{primes}$。",
             f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} (on the perpendicular to "
-            f"$C_{{1}}C_2$ through $O{primes}$) draw the circle through "
+            f"$C_{{1}}C_2$ through $O{primes}$) draw an arc through "
             f"$C_1$; the arc about "
             f"$C_2$ with the radius $2l_{given}/μ_l$ meets it at $S{primes}$. The line $C_{{2}}S{primes}$ meets "
             f"$η{primes}$ at $A{primes}$.",
@@ -59,12 +59,12 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
     m = _middle(draft, limits, eta, upper=(eta.side < 0) == crank, far=far)
     radius, what = np.abs(c1 - m), Words(f"求 $S{primes}$", f"finding $S{primes}$")
     spots = board.arcs(c2, twice, m, radius, what)
-    if not far:
-        board.circle(SHEET, m, radius)
     s = point(draft, f"S{primes}", board.either(min(spots, key=lambda at: _across(c2, at, eta))))
     board.swing(SHEET, c2, twice, s)
     if far:
         board.swing(SHEET, m, radius, s)
+    else:
+        board.arcs_past(SHEET, m, radius, c1, s)
     board.remark(MIRROR)
     line = Line(c2, unit(s - c2))
     a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words(f"求 $A{primes}$", f"finding $A{primes}$"))

@@ -25,6 +25,8 @@ from .pose import Pose, osculating, pose
 from .pressure import MOST_BENT, copied, lettered, posed
 from .read.readings import length
 
+ALONG = np.radians(60)  # of the circle of curvature to either side of where it touches
+
 
 def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Spot) -> Quantity:
     """ρ_min: the centre of curvature on the normal through the instant centre."""
@@ -47,8 +49,10 @@ def under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot:
 
 
 def osculating_circle(board: Board, place: Pane, centre: Points, touch: Points) -> None:
-    """The circle of curvature with its radius ρ_min, which is asked for."""
-    board.circle(place, centre, np.abs(centre - touch), Role.CONSTRUCTION)
+    """An arc of the circle of curvature, as far as is seen how the profile leaves it, with its radius ρ_min, which is
+    asked for."""
+    start = float(np.angle(complex(nominal(touch - centre)))) - ALONG
+    board.circle(place, centre, np.abs(centre - touch), Role.CONSTRUCTION, start=start, sweep=2 * ALONG)
     board.join(place, centre, touch, Role.CONSTRUCTION)
     board.plot(place, (centre + touch) / 2, RHO.symbol, Dot.NONE, key=RHO.key)
 

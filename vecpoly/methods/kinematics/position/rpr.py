@@ -98,8 +98,8 @@ def _touching(desk: Desk, joint: Prismatic, q: str, p: str) -> Words:
     along = Words(f"，得构件 {i} 的导路方向", f": the guide of link {i} is parallel to it")
     end = is_guide if passes else through if holds else along
     return Words(
-        f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线{end.zh}",
-        f"From ${q}$ draw the tangent to the circle about ${p}$ with the offset $e/μ_l$ as radius{end.en}",
+        f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作弧，过 ${q}$ 作其切线{end.zh}",
+        f"From ${q}$ draw the tangent to the arc about ${p}$ with the offset $e/μ_l$ as radius{end.en}",
     )
 
 
@@ -108,18 +108,18 @@ def _tangent(q: str, p: str, offset: float) -> Words:
     if abs(offset) < 1e-9:
         return Words(f"，即连线 ${q}{p}$", f": the line ${q}{p}$")
     return Words(
-        f"：以 ${p}$ 为圆心、虚拟导路到 ${q}$ 的距离为半径作圆，过 ${q}$ 作其切线，得平底的方向",
-        f": the tangent from ${q}$ to the circle about ${p}$ whose radius is the distance of that "
+        f"：以 ${p}$ 为圆心、虚拟导路到 ${q}$ 的距离为半径作弧，过 ${q}$ 作其切线，得平底的方向",
+        f": the tangent from ${q}$ to the arc about ${p}$ whose radius is the distance of that "
         f"guide from ${q}$ gives the direction of the face",
     )
 
 
 def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points, letter: str) -> None:
-    """The circle of the offset about the pin, and the tangent to it from the guide's pivot; the radius to where it
-    touches, with its letter if the step names it so."""
+    """An arc of the circle of the offset about the pin, and the tangent to it from the guide's pivot; the radius to
+    where it touches, with its letter if the step names it so."""
     centre, pivot, way = (complex(nominal(z)) for z in (desk.at[p], desk.at[q], along))
     foot = pivot + way * float((np.conj(way) * (centre - pivot)).real)
-    desk.board.circle(View.MECHANISM, centre, radius, Role.CONSTRUCTION)
+    desk.board.arcs_past(View.MECHANISM, centre, radius, foot)
     desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)
     if letter and radius > LETTERED:
         desk.board.join(View.MECHANISM, centre, foot, Role.CONSTRUCTION)

@@ -9,7 +9,7 @@ import numpy as np
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Role
 from ....designs.crank_rocker import CrankRocker
-from ....plane import Line, Points, Reals, cross, distance, nominal, unit
+from ....plane import Line, Points, Reals, cross, distance, foot, nominal, unit
 from ....plane.geometry import dot
 from ....words import Words
 from ..angles import marked, valued
@@ -54,14 +54,12 @@ def _other_limits(draft: Draft, pins: tuple[Points, Points, Points], radius: Rea
     for way, side in zip((towards, -towards)[: 1 if level else 2], SIDES, strict=False):
         board.step(
             Words(
-                f"过 $A$ 在{side[0]}作与 $AC_1$ 成 $θ$ 角的射线，以 $D$ 为圆心、$DC_1$ 为半径作圆，求另一极限位置。",
-                f"Through $A$ draw a ray at $θ$ to $AC_1$ {side[1]}, and the circle about $D$ with the radius $DC_1$; "
+                f"过 $A$ 在{side[0]}作与 $AC_1$ 成 $θ$ 角的射线，以 $D$ 为圆心、$DC_1$ 为半径作弧，求另一极限位置。",
+                f"Through $A$ draw a ray at $θ$ to $AC_1$ {side[1]}, and an arc about $D$ with the radius $DC_1$; "
                 "the other limit position lies where they meet.",
             ),
             SHEET,
         )
-        if way == towards:
-            board.circle(SHEET, d, radius)
         ray = board.ray(a, unit(c1 - a), way * theta.value * pi / 180, key="AC2" if way == towards else "")
         _meetings(draft, ray, pins, radius, level)
 
@@ -77,11 +75,13 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
                 "and does not meet it.",
             )
         )
+        board.arcs_past(SHEET, d, radius, c1, d + radius * unit(foot(ray, d) - d))
         board.rule(SHEET, ray, a + ray.along * np.abs(c1 - a))
         return
     ends = board.arc_on_line(ray, d, radius, Words("求 $C_2$", "finding $C_2$"))
     away = max(ends, key=lambda at: float(nominal(distance(c1, at))))
     found = (away,) if level else tuple(sorted(ends, key=lambda at: _crank(pins, at)))  # at θ = 0 it goes through C₁
+    board.arcs_past(SHEET, d, radius, c1, *found)
     board.remark(_named(draft, len(found)))
     for c2 in found:
         letter = draft.letter("C2")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees
+from math import degrees, sin
 
 from ....board.paper.marks import Dot, Role
 from ....designs.inversion.plan import FRAME, Body, Limits, Pin, Plan
@@ -17,6 +17,7 @@ from ..linkage import pin, slider
 from .sheet import Places, Sheet, Stands, lettered, placed
 
 HALF_TURN = 180.0  # deg
+STRAIGHT = 1e-6  # sine of the angle between two lines that are one
 AXIS = 0.6  # of that: how far the axis is drawn from which its directions count
 HALF = 1.8  # mm: half the breadth of a body, which is seen under links that lie along it
 REACH = 0.35  # of the extent of what is given: from the origin of a body to the point that marks its line
@@ -153,9 +154,19 @@ def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
             pin(draft, f"P_{n + 1}", stands.start, Dot.POINT)
         if not own or _free(body):
             pin(draft, f"{mark_of(sheet.plan, body)}_{n + 1}", stands.end, Dot.POINT)
-    if body.pivot:
+    if body.pivot and not _in_line(sheet.plan, body):
         _directions_marked(sheet, body)
     return sheet
+
+
+def _in_line(plan: Plan, body: Body) -> bool:
+    """Whether another line through its pivot, whose directions are marked, runs on as this one in every position."""
+    before = plan.bodies[: plan.bodies.index(body)]
+    return any(
+        all(abs(sin(a.angle - b.angle)) < STRAIGHT for a, b in zip(one.positions, body.positions, strict=True))
+        for one in before
+        if one.pivot and one.name[0] == body.name[0]
+    )
 
 
 def _directions_marked(sheet: Sheet, body: Body) -> None:

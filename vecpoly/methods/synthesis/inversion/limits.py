@@ -26,18 +26,18 @@ def limits(sheet: Sheet, stage: Limits) -> Iterator[Sheet]:
     board.step(
         Words(
             f"极位夹角 $θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°。连 ${stage.about}{c}_1$，过 ${stage.about}$ 作与"
-            f"它成 $θ$ 的射线，与以 ${stage.pivot}$ 为圆心、${stage.pivot}{c}_1$ 为半径的圆相交于 ${c}_2$。",
+            f"它成 $θ$ 的射线，与以 ${stage.pivot}$ 为圆心、${stage.pivot}{c}_1$ 为半径的弧相交于 ${c}_2$。",
             f"The angle between the limit positions is $θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°. Join "
-            f"${stage.about}{c}_1$; a ray at $θ$ to it from ${stage.about}$ meets the circle about ${stage.pivot}$ "
+            f"${stage.about}{c}_1$; a ray at $θ$ to it from ${stage.about}$ meets the arc about ${stage.pivot}$ "
             f"through ${c}_1$ at ${c}_2$.",
         ),
         SHEET,
     )
     a, d = sheet.pins[stage.about][0], sheet.pins[stage.pivot][0]
     c1 = sheet.pins[c][0]
-    board.circle(SHEET, d, np.abs(c1 - d))
     board.join(SHEET, a, c1, Role.CONSTRUCTION)
     met = [c2 for ray in _rays(sheet, stage, a, c1) for c2 in _meetings(sheet, ray, d, np.abs(c1 - d))]
+    board.arcs_past(SHEET, d, np.abs(c1 - d), c1, *met)
     kept = [c2 for c2 in met if float(nominal((c1 - c2).real)) * stage.limit.sense > 0]
     if not kept:
         raise no_limit(stage, len(met))

@@ -25,6 +25,7 @@ from ...plates.results import concluded
 from ...steps.sections import sections
 from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
+from .cramped import cramped
 from .drawn_views import drawn_views
 from .positions import at_position, draw_there
 from .repeated import without_repeated
@@ -65,15 +66,19 @@ def chosen(study: Study, lang: Lang) -> list[Drawn]:
             break  # there are places of extreme values
         if all(_far(study, phi, other.phi) for other in found):
             drawn = _drawn(study, phi, why, lang, True)
-            if drawn is None or (
-                len(drawn.sheets) > 1 and study.problem.loads is None
-            ):  # at a scale of its own it may need one sheet only
-                own = _drawn(study, phi, why, lang, False)
-                drawn = min(
-                    (one for one in (drawn, own) if one is not None), key=lambda one: len(one.sheets), default=None
-                )
+            if drawn is None or (len(drawn.sheets) > 1 and study.problem.loads is None):
+                own = _drawn(study, phi, why, lang, False)  # at a scale of its own it may need one sheet only
+                drawn = _fewer(drawn, own)
             found += [drawn] if drawn else []
     return _in_order([found[0], *sorted(found[1:], key=lambda one: one.phi)], study, lang)
+
+
+def _fewer(one: Drawn | None, own: Drawn | None) -> Drawn | None:
+    """The one with fewer sheets, unless they cost too much."""
+    if one is None or own is None:
+        return one or own
+    saved = len(own.sheets) < len(one.sheets)
+    return own if saved and not cramped(own.solution.construction, one.solution.construction) else one
 
 
 def _in_order(drawn: list[Drawn], study: Study, lang: Lang) -> list[Drawn]:
