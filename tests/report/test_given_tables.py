@@ -10,10 +10,13 @@ import pytest
 from tests.drawn_library import DRAFTED, LIBRARY, drafted, given
 from tests.each import each
 from tests.lawful import CARD, ENGINE, slider
+from tests.presses import press
+from tests.studies import studied
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
 from vecpoly.report.content import beside_tables
-from vecpoly.report.statement.in_table import in_table
+from vecpoly.report.course.statement import known
+from vecpoly.report.statement.in_table import in_table, scalar
 from vecpoly.report.tables import MOST_GIVEN, given_tables
 from vecpoly.solution import solve
 from vecpoly.words import Lang
@@ -93,3 +96,19 @@ def test_the_units_of_a_table_of_data_are_units_and_no_numbers(name: str) -> Non
 def test_a_sum_of_two_in_one_unit_has_it_once() -> None:
     table = in_table(load("7-2a"), "zh")[1]
     assert table is not None and table.rows[1][:3] == ("$J_{I}$", "0.08 + 0.01", "kg·m²")
+
+
+@each(LIBRARY)
+def test_a_speed_in_turns_a_minute_stands_in_no_table_as_an_angular_velocity(name: str) -> None:
+    for lang in LANGS:
+        rows = [row for datum in given(name).given.data if (row := scalar(datum, lang)) is not None]
+        for symbol, _, unit in rows:
+            assert not (symbol.startswith("$ω") and "min" in unit), f"{symbol} in {unit}"
+            assert "（" not in unit and "clockwise" not in unit, "a sense stands in the line, in words"
+
+
+def test_the_drive_of_a_machine_is_told_by_its_turns_a_minute_in_a_course_report() -> None:
+    kept = press("zh")
+    told = known(studied("press-flywheel"), kept)
+    assert "$n_1$ = 120 r/min（逆时针）" in told["given"]
+    assert not any("ω" in cell for row in kept.made[-1].rows for cell in row)

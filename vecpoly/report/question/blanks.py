@@ -31,6 +31,7 @@ _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions 
 LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
+_SPEEDS = frozenset(("omega_m", "omega_max", "omega_min"))  # of a machine: sizes
 _ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求量", "Required")
 
 
@@ -142,14 +143,20 @@ def _none(one: Reading, lang: Lang) -> Cells:
 
 
 def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
-    """A row for each velocity and acceleration that is computed and not asked, under a heading: those of points, which
-    are laid off, then those of links."""
-    keys = (act.key for act in solution.construction.acts if isinstance(act, Compute))
-    found = [rel for key in dict.fromkeys(keys) if key not in solution.answers and (rel := _motion(key)) is not None]
+    """A row for each velocity and acceleration that is computed, neither asked nor given, under a heading: those of
+    points, which are laid off, then those of links; the mean of a machine's speed, or its extremes, have no sense."""
+    known = {*solution.answers, *(_bare(datum.symbol) for datum in solution.problem.given.data)}
+    keys = dict.fromkeys(act.key for act in solution.construction.acts if isinstance(act, Compute))
+    found = [rel for key in keys if (rel := _motion(key)) is not None and not known & {key, _bare(rel.symbol)}]
     if found:
         yield headed(_ON_THE_WAY.of(lang))
     for rel in sorted(found, key=_by_kind):
-        yield (f"${rel.symbol}$", "" if rel.is_vector else NONE, "", _unit(rel.unit), "")
+        way = NONE if rel.key in _SPEEDS else ""
+        yield f"${rel.symbol}$", "" if rel.is_vector else NONE, "", _unit(rel.unit), way
+
+
+def _bare(symbol: str) -> str:
+    return symbol.replace("{", "").replace("}", "")
 
 
 def _by_kind(rel: Rel) -> tuple[int, str]:
