@@ -28,7 +28,7 @@ MEMBERS, MANY = 6, 60
 OF_MANY_DATA = ("device", "rotor", "design-crank", "design-slider")  # and quickly written
 TAKEN = re.compile(r"\.(take|omega)$")  # of any task of synthesis: the same two keys
 NO_ANSWER_HANGS_ON = {
-    r"\.errata.*|\.title_block.*|\.salt": "texts, and what seeds the numbers of students",
+    r"\.errata.*|\.explain.*|\.title_block.*|\.salt": "texts, and what seeds the numbers of students",
     r"\.extends": "told by retold-extends, whose members are other problems once more",
     r"\.tables|\.loads\.\*\.size\.table": "files beside the problem: a member is a text alone",
     r"\.scales.*|\.sheet.*": "how it is drawn: keys-scales, whose members are drawn to be made, is sampled in the soak",

@@ -63,6 +63,7 @@ def build(tree: Tree, path: Path | None = None, written: Written | None = None) 
         title=spec.title,
         source=spec.source,
         statement=spec.statement,
+        explain=tuple(spec.explain),
         subject=mechanism,
         loads=loads,
         machine=machine,

@@ -188,6 +188,7 @@ class ProblemSpec(Spec):
     extends: str | None = Field(None, description="id or path of a problem whose data are taken over")
     source: Text | None = None
     statement: Text = Words.same("")
+    explain: list[Text] = Field([], description="what is answered in words, not by a number")
     frame: dict[str, Pair]
     links: dict[str, Link] = Field(min_length=1)
     joints: list[str] = []
@@ -227,6 +228,7 @@ class DataSpec(Spec):
     extends: str | None = None
     source: Text | None = None
     statement: Text = Words.same("")
+    explain: list[Text] = []
     data: dict[str, Any] = {}
     scales: ScalesSpec = ScalesSpec()
     find: list[str] = Field([], min_length=1)
