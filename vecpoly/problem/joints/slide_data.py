@@ -46,14 +46,19 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
         own = _OWN.get(block.shape, Words("", ""))
-        on = (
-            Words(f"构件 {m['guide']} 的", f" on link {m['guide']}")
-            if re.fullmatch(LINK, m["guide"])
-            else Words("", "")
-        )
+        on = _guide_told(m["guide"])
         block.say(
             Words(
-                f"构件 {block.name} {own.zh}与{on.zh}导路成 {acute:g}°",
-                f"{own.en}link {block.name} is at {acute:g}° to its guide{on.en}",
+                f"构件 {block.name} {own.zh}与{on.zh}成 {acute:g}°",
+                f"{own.en}link {block.name} is at {acute:g}° to {on.en}",
             )
         )
+
+
+def _guide_told(guide: str) -> Words:
+    """A line by its letters; a guide by the link that has it, or by itself where that is the frame."""
+    if (found := re.match(rf"{LETTER}{LETTER}(?= of |$)", guide)) is not None:
+        return Words(f" ${found[0]}$ ", f"${found[0]}$")
+    if re.fullmatch(LINK, guide):
+        return Words(f"构件 {guide} 的导路", f"its guide on link {guide}")
+    return Words("导路", "its guide")

@@ -69,6 +69,7 @@ _TYPESET = {
     lang: (
         (pattern(r"\blog10\((\w)\)"), log),
         (pattern(r"\ba(sin|cos|tan)\("), r"arc\1("),
+        (pattern(r"\) ω(²?)"), r") $ω$\1"),  # of a characteristic
         (pattern(r"(?<=[A-Za-z])\*(?=[a-z])"), "·"),
         (pattern(r" -> "), " → "),
         (pattern(r"(?<=[°)]) - (?=[\da-z])"), " − "),
