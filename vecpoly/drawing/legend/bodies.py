@@ -84,6 +84,13 @@ CURVES: tuple[Kind, ...] = (
     ),
     Kind(words=Words("基圆", "base circle"), met=is_base_circle, sample=line),
 )
+
+
+def is_trial(_: Figure, mark: Mark) -> bool:
+    """Whether it is a weight that is put on a rotor to be tried."""
+    return isinstance(mark, Disc) and mark.owner.startswith("trial ")
+
+
 BODIES: tuple[Kind, ...] = (
     Kind(
         words=Words("力（长度不表示大小）", "force (length not to scale)"),
@@ -102,7 +109,12 @@ BODIES: tuple[Kind, ...] = (
         met=at_infinity,
         sample=lambda _: arrow(Role.DIRECTION),
     ),
-    Kind(words=Words("集中质量", "concentrated mass"), met=is_mass(Disc), sample=_mass),
+    Kind(words=Words("试重", "trial weight"), met=is_trial, sample=_mass),
+    Kind(
+        words=Words("集中质量", "concentrated mass"),
+        met=lambda figure, mark: is_mass(Disc)(figure, mark) and not is_trial(figure, mark),
+        sample=_mass,
+    ),
     Kind(words=Words("平衡质量", "balancing mass"), met=is_mass(Arc), sample=_mass),
     Kind(words=Words("原有的孔、键槽", "hole or keyway it has"), met=is_void, sample=_ring),
     Kind(words=Words("去重孔、负质量", "hole to drill, negative mass"), met=bored, sample=_mass),

@@ -124,7 +124,12 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind(
         words=Words("构件的影像", "image of a link"),
-        met=lambda _, mark: isinstance(mark, ImageOf) and is_seen(mark.points),
+        met=lambda figure, mark: figure.view.images and isinstance(mark, ImageOf) and is_seen(mark.points),
+        sample=image,
+    ),
+    Kind(
+        words=Words("三弧所围的三角形", "triangle between the arcs"),
+        met=lambda figure, mark: not figure.view.images and isinstance(mark, ImageOf),
         sample=image,
     ),
     Kind(
