@@ -11,6 +11,7 @@ from ...words import Words
 from ..links.draft import Draft
 from ..links.guides import LINK
 from ..problem import Shape
+from ..values.seen import Beside, Leaning
 
 # what makes an angle with the guide
 _OWN = {Shape.SLOT: Words("的滑道", "the slideway of "), Shape.ROD: Words("的杆", "the rod of ")}
@@ -23,7 +24,8 @@ def note_aside(m: re.Match[str], draft: Draft) -> None:
         Words(
             f"偏距 $e$ = {m['offset']}（${m['off']}$ 在导路{side}侧）",
             f"offset $e$ = {m['offset']} (${m['off']}$ to the {m['side']} of the guide)",
-        )
+        ),
+        Beside(letter=m["off"]),
     )
 
 
@@ -40,7 +42,8 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
             Words(
                 f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
                 f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            )
+            ),
+            Leaning(at=fixed[1], turn=read(fixed[2], Dim.ANGLE).si),
         )
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
