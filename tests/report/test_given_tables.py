@@ -76,7 +76,7 @@ def test_a_datum_with_a_sense_stays_in_the_line_and_the_others_have_symbol_value
 
 def test_places_are_given_in_one_notation_and_directions_say_what_they_are() -> None:
     told = beside_tables(solve(load("8-10"), repeats=20), "en")["given"]
-    assert told.startswith("$A$ = (0, 0) mm, directions of $CI$ in its positions $φ_{CI}$ = 150°, 180°")
+    assert told.startswith("$A$ = (0, 0) mm, directions of $CE$ in its positions $φ_{CE}$ = 150°, 180°")
 
 
 def test_a_problem_without_a_table_has_none() -> None:
