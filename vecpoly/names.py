@@ -205,7 +205,7 @@ _ANGULAR, _LONG = pattern(r"^(omega|alpha)_(\w+)$"), pattern(r"([A-Za-z])([a-z]+
 
 
 def subscripted(letter: str) -> str:
-    """C2 as printed: C_2; a plain letter stays itself, and one with a subscript. Qz4 is Q_{z4}, as where it is found."""
+    """C2 as printed: C_2; a plain letter stays itself, and one with a subscript; Qz4 is Q_{z4}."""
     if (whole := _LONG.fullmatch(letter)) is not None:
         return f"{whole[1]}_{{{whole[2]}}}"
     bare = letter.rstrip("0123456789")

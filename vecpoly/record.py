@@ -58,6 +58,7 @@ _MODULES = (
     "mechanism.machine",
     "mechanism.counterweights",
     "mechanism.asked.curvature",
+    "problem.values.seen",
     "problem.values.given",
     "problem.asked.asks",
     "problem.text.held",

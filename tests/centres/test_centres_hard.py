@@ -113,7 +113,7 @@ def through_corners(solution: Solution, step: int) -> list[set[float]]:
 
 def test_velocities_of_a_class_iii_linkage_follow_from_its_centres() -> None:
     rates = [f"omega_{link}" for link in C3.mechanism.bodies]
-    solution = at("class-iii", 105, ", ".join([*rates, "v_G", "v_H", "v_I"]))
+    solution = at("class-iii", 105, ", ".join([*rates, "v_G", "v_H", "v_L"]))
     motion = oracle.solve(solution.problem.mechanism)
     for link in C3.mechanism.bodies:
         assert solution.answers[omega(link).key].drawn == pytest.approx(float(motion.omega(link)), abs=1e-8)
@@ -123,7 +123,7 @@ def test_velocities_of_a_class_iii_linkage_follow_from_its_centres() -> None:
 @settings(max_examples=often(2))
 @given(phi=st.integers(20, 150), gh=st.integers(60, 80), ki=st.integers(105, 115))
 def test_random_class_iii_groups_agree_with_the_oracle_in_any_position(phi: int, gh: int, ki: int) -> None:
-    links = f"{{4: {{GH: {gh} mm, I: {{GI: 60 mm, HI: 50 mm, side: left of GH}}}}, 7: {{KI: {ki} mm}}}}"
+    links = f"{{4: {{GH: {gh} mm, L: {{GL: 60 mm, HL: 50 mm, side: left of GH}}}}, 7: {{KL: {ki} mm}}}}"
     try:
         solution = at("class-iii", phi, links=links)
     except (AssemblyError, NotAskedError):
@@ -169,16 +169,16 @@ def test_wherever_its_drive_is_put_a_class_iii_group_is_assembled_as_on_the_way_
     for there in posed(C3, np.radians([30.0, 45.0, 75.0, 120.0, 150.0, 171.0])):
         assert there is not None
         way, own = oracle.solve(C3.mechanism, there.mechanism.drive.position), oracle.solve(there.mechanism)
-        for letter in "CEFGHI":
+        for letter in "CEFGHL":
             assert abs(complex(own.position(At(letter))) - complex(way.position(At(letter)))) < 1e-9
 
 
 def test_positions_solved_together_or_one_by_one_are_the_same_and_hang_together() -> None:
     mech, q = C3.mechanism, np.radians(np.linspace(29.5, 171.5, 72))
-    together = oracle.solve(mech, q).position(At("I"))
-    alone = [complex(oracle.solve(mech, here).position(At("I"))) for here in q]
+    together = oracle.solve(mech, q).position(At("L"))
+    alone = [complex(oracle.solve(mech, here).position(At("L"))) for here in q]
     assert np.abs(together - alone).max() < 1e-12
-    steps = np.abs(np.diff(oracle.solve(mech, np.radians(np.linspace(30.0, 171.0, 1411))).position(At("I"))))
+    steps = np.abs(np.diff(oracle.solve(mech, np.radians(np.linspace(30.0, 171.0, 1411))).position(At("L"))))
     assert steps.max() < 0.01 * mech.scale
 
 

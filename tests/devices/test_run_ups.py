@@ -259,3 +259,12 @@ def test_what_slows_a_braked_machine_is_called_resistance_and_brake_and_not_resi
     tables = [step.listing for step in drawn("run-down").construction.steps if step.listing is not None]
     for sign, there, table in zip(("M_r", "M_r + M_b"), letters, tables, strict=True):
         assert {one for one in there if one.startswith("M_")} == {sign} and f"${sign}$" in table.head[1].en
+
+
+def test_the_letters_at_which_a_speed_is_read_are_named_and_the_end_of_the_run_is_marked() -> None:
+    """HP was measured and no step said what H and P are; ω_1 and t_1 of the data were nowhere."""
+    construction = drawn("motor-run-up").construction
+    told = [step.words for step in construction.steps]
+    for text in (" ".join(one.zh for one in told), " ".join(one.en for one in told)):
+        assert all(f"${one}$" in text for one in ("H", "P", "HP", "t_1", "ω_1", "ω_t"))
+    assert any(getattr(mark, "label", "") == "ω_1" for figure in construction.figures for mark in figure.marks)

@@ -29,7 +29,7 @@ OF_MANY_DATA = ("device", "rotor", "design-crank", "design-slider")  # and quick
 TAKEN = re.compile(r"\.(take|omega)$")  # of any task of synthesis: the same two keys
 NO_ANSWER_HANGS_ON = {
     r"\.printed\[\]\.lost(=.*)?": "held against no answer of the problem, see tests/check/test_printed_lengths.py",
-    r"\.errata.*|\.title_block.*|\.salt": "texts, and what seeds the numbers of students",
+    r"\.errata.*|\.explain.*|\.title_block.*|\.salt": "texts, and what seeds the numbers of students",
     r"\.extends": "told by retold-extends, whose members are other problems once more",
     r"\.tables|\.loads\.\*\.size\.table": "files beside the problem: a member is a text alone",
     r"\.scales.*|\.sheet.*": "how it is drawn: keys-scales, whose members are drawn to be made, is sampled in the soak",

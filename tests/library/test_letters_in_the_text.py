@@ -48,3 +48,11 @@ def test_an_extreme_between_two_stations_has_a_letter_of_its_own(name: str) -> N
     found = [one for one in letters(name) if one.startswith("m_")]
     told = " ".join(step.words.zh for step in drawn(name).construction.steps)
     assert found and all(f"位移线图上的 ${one}$" in told for one in found)
+
+
+@each(CAMS)
+def test_a_length_between_two_numbered_stations_is_told_by_both_of_them(name: str) -> None:
+    """1616′ was printed, which might be one number."""
+    for step in drawn(name).construction.steps:
+        for text in (step.words.zh, step.words.en):
+            assert not re.search(r"(\d+)\1′", plain(text)), text

@@ -9,13 +9,15 @@ from itertools import combinations
 
 import pytest
 
-from tests.drawn_library import IDS, drawn, given, hanging
+from tests.drawn_library import IDS, LIBRARY, drawn, given, hanging
 from tests.each import Later, each
 from vecpoly.algebra.formula import Over, Row, Sym, plain
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import AngleMark, Point
 from vecpoly.board.place import view_named
 from vecpoly.designs.base import Design
+from vecpoly.devices.structure import Structure
+from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
 from vecpoly.solution import solve
@@ -128,3 +130,14 @@ def test_an_answer_bears_the_number_of_its_solution_where_its_line_does(name: st
         number = re.search(r"\^\(\d+\)", "" if way is None else plain(way).partition(" = ")[0])
         head = plain(line.node).partition(" = ")[0]
         assert number is None or number[0] in head, f"{line.key} is answered as {head}"
+
+
+@each(LIBRARY)
+def test_no_joint_is_called_by_the_letter_that_is_printed_as_a_roman_number(name: str) -> None:
+    subject = given(name).subject
+    letters = set[str]()
+    if isinstance(subject, Mechanism):
+        letters = {*subject.frame, *(point for link in subject.links for point in link.points)}
+    elif isinstance(subject, Structure):
+        letters = {*subject.joints}
+    assert not {letter for letter in letters if letter.rstrip("'′") == "I"}

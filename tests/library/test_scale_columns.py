@@ -25,5 +25,5 @@ def test_length_times_scale_is_the_value_unless_a_factor_stands_before_the_scale
 
 
 def test_a_velocity_read_by_centres_has_the_angular_velocity_before_its_scale() -> None:
-    reading = drawn("class-iii").solution.answers["v_I"].reading
+    reading = drawn("class-iii").solution.answers["v_L"].reading
     assert (reading.factor, reading.scale) == ("ω_4", "μ_l′")

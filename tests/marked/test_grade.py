@@ -17,6 +17,7 @@ from vecpoly.errors import TableError, UnknownNameError, VecpolyError
 from vecpoly.grading.key import Points
 from vecpoly.grading.rules import Rules
 from vecpoly.grading.scheme import Scheme
+from vecpoly.marked.out.feedback import _table
 from vecpoly.marked.out.record import read_record
 from vecpoly.marked.scheme import read_scheme
 
@@ -262,3 +263,21 @@ def test_the_columns_of_a_problem_come_to_its_total_and_the_page_of_points_to_wh
     page = load_workbook(tmp_path / "out" / "grades.xlsx")["分值"]
     (whole,) = (row[6] for row in page.iter_rows(values_only=True) if row[2] == "满分")
     assert whole == pytest.approx(key.worth) == 20
+
+
+def test_what_all_rows_would_say_stands_once_below_the_table_and_no_column_is_empty(tmp_path: Path) -> None:
+    """'Too many significant digits (6); 3 suit a drawing' stood in every row of who copies a calculator."""
+    mine = {
+        key: re.sub(r"^(-?[\d.]+)", lambda m: f"{float(m[1]):.7f}", text) for key, text in answers(NUMBERS[0]).items()
+    }
+    graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: mine}), feedback=True, lang="en")
+    with pdfplumber.open(next((tmp_path / "out" / "feedback").iterdir())) as book:
+        told = "\n".join(page.extract_text() for page in book.pages)
+    assert told.count("Too many significant digits") == 1 and told.count("digits†") > 2
+
+
+def test_a_table_in_which_all_is_right_has_no_column_for_reasons() -> None:
+    heads = ("Equation", "Written", "Verdict", "Points", "of", "Why")
+    rows = [("eq. 1", "✓?", "right", "1", "1", "")]
+    assert "Why" not in _table(heads, rows, "en").header
+    assert "Why" in _table(heads, [(*rows[0][:-1], "because")], "en").header

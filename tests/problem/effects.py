@@ -64,6 +64,7 @@ def said(problem: Problem) -> tuple[object, ...]:
         problem.title,
         problem.source,
         problem.statement,
+        problem.explain,
         problem.errata,
         problem.tables,
         problem.ranges,

@@ -39,6 +39,7 @@ id: t
 title: test
 source: here
 statement: a four-bar
+explain: [which kind]
 frame: {A: [0 mm, 0 mm], D: [120 mm, 0 mm]}
 links:
   1: {AB: 40 mm}
@@ -108,6 +109,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "title": (BASE, "title: test", "title: other"),
     "source": (BASE, "source: here", "source: there"),
     "statement": (BASE, "a four-bar", "another"),
+    "explain": (BASE, "which kind", "which kinds"),
     "frame": (BASE, "[120 mm, 0 mm]", "[118 mm, 0 mm]"),
     "links": (BASE, "AB: 40 mm", "AB: 41 mm"),
     "joints": (SLIDE, "y = 0 mm", "y = 5 mm"),

@@ -55,7 +55,7 @@ def test_wedges_and_springs_say_which_way_they_lock() -> None:
 
 
 def test_a_rotor_says_whether_other_planes_will_do() -> None:
-    assert said("6-5", "zh") == "能实现：在平面 $I$和$II$内各加一个质径积。 转子动不平衡。"
+    assert said("6-5", "zh") == "能实现：在平面 $I$ 和 $II$ 内各加一个质径积。 转子动不平衡。"
     assert said("6-5", "en").endswith("in each of the planes $I$ and $II$. The rotor is not in dynamic balance.")
     assert said("6-7", "en") == "", "it is not asked there"
 

@@ -10,11 +10,14 @@ import pytest
 from tests.drawn_library import DRAFTED, LIBRARY, drafted, given
 from tests.each import each
 from tests.lawful import CARD, ENGINE, slider
+from tests.presses import press
+from tests.studies import studied
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
 from vecpoly.problem.values.given import as_printed
 from vecpoly.report.content import beside_tables
-from vecpoly.report.statement.in_table import in_table
+from vecpoly.report.course.statement import known
+from vecpoly.report.statement.in_table import in_table, scalar
 from vecpoly.report.tables import MOST_GIVEN, given_tables
 from vecpoly.solution import solve
 from vecpoly.words import Lang
@@ -74,7 +77,7 @@ def test_a_datum_with_a_sense_stays_in_the_line_and_the_others_have_symbol_value
 
 def test_places_are_given_in_one_notation_and_directions_say_what_they_are() -> None:
     told = beside_tables(solve(load("8-10"), repeats=20), "en")["given"]
-    assert told.startswith("$A$ = (0, 0) mm, directions of $CI$ in its positions $φ_{CI}$ = 150°, 180°")
+    assert told.startswith("$A$ = (0, 0) mm, directions of $CE$ in its positions $φ_{CE}$ = 150°, 180°")
 
 
 def test_a_problem_without_a_table_has_none() -> None:
@@ -108,3 +111,19 @@ def test_a_sum_of_two_in_one_unit_has_it_once() -> None:
 )
 def test_a_number_that_is_given_with_an_exponent_is_printed_as_in_a_book(written: str, zh: str) -> None:
     assert as_printed(written, "zh") == zh
+
+
+@each(LIBRARY)
+def test_a_speed_in_turns_a_minute_stands_in_no_table_as_an_angular_velocity(name: str) -> None:
+    for lang in LANGS:
+        rows = [row for datum in given(name).given.data if (row := scalar(datum, lang)) is not None]
+        for symbol, _, unit in rows:
+            assert not (symbol.startswith("$ω") and "min" in unit), f"{symbol} in {unit}"
+            assert "（" not in unit and "clockwise" not in unit, "a sense stands in the line, in words"
+
+
+def test_the_drive_of_a_machine_is_told_by_its_turns_a_minute_in_a_course_report() -> None:
+    kept = press("zh")
+    told = known(studied("press-flywheel"), kept)
+    assert "$n_1$ = 120 r/min（逆时针）" in told["given"]
+    assert not any("ω" in cell for row in kept.made[-1].rows for cell in row)

@@ -10,7 +10,8 @@ import pdfplumber
 import pytest
 from reportlab.pdfgen.canvas import Canvas
 
-from tests.drawn_library import drawn
+from tests.drawn_library import LIBRARY, drawn, given
+from tests.each import Later, each
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import (
     AngleMark,
@@ -28,6 +29,10 @@ from vecpoly.board.paper.marks import (
     Segment,
     Vector,
 )
+from vecpoly.designs.base import Design
+from vecpoly.designs.inversion.cognates import Cognates
+from vecpoly.designs.inversion.positions import Positions
+from vecpoly.designs.straight_line import StraightLine
 from vecpoly.devices.gears.generation import GearGeneration
 from vecpoly.drawing.sheets.lettering import title_width
 from vecpoly.figures import View
@@ -38,6 +43,7 @@ from vecpoly.report.question.equation_rows import CELLS, SUMMED, EquationRows, e
 from vecpoly.report.question.framed.blank import framed
 from vecpoly.report.question.framed.fields import FIELDS
 from vecpoly.report.question.framed.frames import frames
+from vecpoly.report.question.framed.known import stands
 from vecpoly.typeset.box import MM
 
 
@@ -232,3 +238,22 @@ def test_the_disc_of_a_clamp_is_printed_with_its_handle_and_the_friction_circle_
     assert any(isinstance(mark, FrictionCircle) for mark in blanks("5-3")["mechanism", "released"])
     vectors = {key: [m for m in marks if isinstance(m, Vector)] for key, marks in blanks("5-3").items()}
     assert [key for key, some in vectors.items() if some] == [("body", "disc")], "R_21 is the student's to find"
+
+
+DESIGNS = Later(lambda: (name for name in LIBRARY if isinstance(given(name).subject, Design)))
+
+
+@each(DESIGNS)
+def test_every_point_that_is_given_by_coordinates_stands_in_the_frame(name: str) -> None:
+    """C_2 of 8-5 and C_1 of 8-14 were given and not there: which is drawn after the pivots, or is no pivot."""
+    problem, construction = given(name), drawn(name).construction
+    figure = construction.figure(View.MECHANISM)
+    if figure is None or isinstance(problem.subject, StraightLine | Cognates):  # whose E counts from a bar
+        return
+    own = problem.subject.body if isinstance(problem.subject, Positions) else {}
+    points = {
+        datum.symbol.replace("{", "").replace("}", "") for datum in problem.given.data if datum.text.startswith("(")
+    } - set(own)
+    places = [getattr(mark, "at", None) for mark in stands(construction, figure, problem)]
+    shown = {mark.label for mark in figure.marks if isinstance(mark, Point) and mark.at in places}
+    assert points <= shown, points - shown

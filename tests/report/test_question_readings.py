@@ -17,13 +17,15 @@ from vecpoly.board.paper.marks import Arc, Dot, Note, Outline, Point, Segment, V
 from vecpoly.board.place import Pane, called
 from vecpoly.drawing.sheets.sheet import Hung
 from vecpoly.figures.balancing import HODOGRAPH
+from vecpoly.names import written_unit
 from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.framed.aligned import CLOSE, aligned
 from vecpoly.report.question.framed.fields import KEY
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.origin import ORIGIN
-from vecpoly.report.question.framed.readings import READ
+from vecpoly.report.question.framed.readings import READ, readings
 from vecpoly.report.statement.asked import asked
+from vecpoly.words import bare
 
 Y = "$y$ ="  # the second coordinate of a place
 
@@ -47,8 +49,8 @@ def rules(frame: Figure) -> list[Segment]:
 
 def test_a_length_that_is_asked_is_read_on_a_line_with_its_name_and_brought_to_its_value_by_the_scale() -> None:
     (frame, *_) = blank_of("three-positions")[0].figures
-    asked_for = [(f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "m") for bar in ("AB", "CD", "AD")]
-    assert told(frame) == [text for one in asked_for for text in one], "μ_l is in m/mm"
+    asked_for = [(f"$l_{{{bar}}}$ =", "mm × $μ_l$ =", "mm") for bar in ("AB", "CD", "AD")]
+    assert told(frame) == [text for one in asked_for for text in one], "as the data, and the table of results"
     assert len(rules(frame)) == 6
 
 
@@ -188,3 +190,17 @@ def test_places_alone_have_a_table_with_a_column_for_each_coordinate() -> None:
     table = empty_table(drawn("3-1f").solution, "en")
     assert list(table.header) == ["Quantity", "$x$ /mm", "$y$ /mm"]
     assert [row[0] for row in table.rows] == ["$P_{12}$", "$P_{13}$", "$P_{23}$"]
+
+
+@each(IDS)
+def test_what_is_read_in_a_frame_has_the_unit_of_its_row_in_the_table_of_results(name: str) -> None:
+    """l_AB = ___ mm × μ_l = ___ m stood over a table that asked for mm."""
+    solution = drawn(name).solution
+    table = empty_table(solution, "en")
+    at = table.header.index("Unit") if table.header.count("Unit") == 1 else None
+    units = {bare(row[0]).split()[-1]: row[at] for row in table.rows if row[at]} if at is not None else {}
+    for figure in solution.construction.figures:
+        read = readings(solution.construction, figure)
+        for one in read.blanks if read is not None else ():
+            row = units.get(bare(f"${one.symbol}$"))
+            assert not (one.scale and row) or row == written_unit(one.unit), one

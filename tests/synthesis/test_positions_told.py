@@ -54,3 +54,23 @@ def test_the_first_step_names_every_letter_that_it_puts_on_the_sheet_in_both_lan
     said = (re.findall(r"\$(.*?)\$", text) for text in (first.words.zh, first.words.en))
     zh, en = (set(re.findall("[A-Z]", " ".join(symbols))) for symbols in said)
     assert zh == en >= put
+
+
+@pytest.mark.parametrize("name", ["8-6", "8-11", "three-positions"])
+def test_coordinates_of_pins_on_the_body_are_said_to_be_in_its_own_axes(name: str) -> None:
+    """B = (0, 0) mm stood beside D = (80, 0) mm as if both were measured in the same axes."""
+    subject, data = given(name).subject, given(name).given.data
+    assert isinstance(subject, Positions) and subject.body
+    (zh,) = (one.of("zh") for one in data if "动坐标系" in one.of("zh"))
+    (en,) = (one.of("en") for one in data if "own axes" in one.of("en"))
+    assert all(f"${letter}$" in zh and f"${letter}$" in en for letter in subject.body)
+
+
+@each(POSITIONS)
+def test_a_line_of_a_pin_on_the_body_is_told_by_the_line_of_the_body_or_in_its_axes(name: str) -> None:
+    subject, data = given(name).subject, given(name).given.data
+    assert isinstance(subject, Positions)
+    assert not any(
+        one.symbol.strip("xy_{}") in ("B", "C") and "′" not in one.symbol for one in data if one.symbol[1:2] == "_"
+    )
+    assert not any("own axes" in one.of("en") for one in data) or subject.body or any("′" in one.symbol for one in data)

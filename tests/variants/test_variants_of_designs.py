@@ -17,7 +17,7 @@ from vecpoly.variants.pilot import pilot
         ("three-positions", {"poses_2_1": "40 mm", "poses_2_2": "9 mm"}, "(40, 9) mm at 30 deg", ("poses", 1)),
         ("three-positions", {"x_B": "3 mm"}, "3 mm", ("body", "B", 0)),
         ("8-10", {"x_C_1": "71 mm"}, "(71, -12) mm", ("points", "C", 0)),
-        ("8-10", {"CI_2": "170 deg"}, "170 deg", ("rays", "CI", 1)),
+        ("8-10", {"CE_2": "170 deg"}, "170 deg", ("rays", "CE", 1)),
         ("8-9", {"pairs_2_1": "70 deg"}, "70 deg -> 62 mm", ("pairs", 1)),
         ("8-9", {"guide": "-8 mm"}, "on y = -8 mm", ("guide",)),
         ("cam-roller-offset", {"motion_1_1": "25 mm"}, "rise 25 mm in 120 deg cosine", ("motion", 0)),

@@ -35,5 +35,6 @@ def warn_of_letters(problems: Iterable[Problem], lang: Lang, beside: Iterable[st
 
 
 def _texts(problem: Problem, lang: Lang) -> str:
-    words = (problem.title, problem.statement, problem.source, *problem.errata, *(one.note for one in problem.printed))
+    words = (problem.title, problem.statement, *problem.explain, problem.source, *problem.errata)
+    words += tuple(one.note for one in problem.printed)
     return problem.id + "".join(one.of(lang) for one in words if one is not None)

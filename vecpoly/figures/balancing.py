@@ -1,4 +1,4 @@
-"""质径积多边形、力偶多边形、振动矢量图、端迹图: the figures of balancing, and the end view of a rotor."""
+"""质径积多边形、力偶多边形、振动矢量图、矢端曲线: the figures of balancing, and the end view of a rotor."""
 
 from __future__ import annotations
 
@@ -114,8 +114,8 @@ HODOGRAPH = register(
     View(
         name="hodograph",
         order=67,
-        title=Words("惯性力端迹图", "Hodograph of the shaking force"),
-        called=Words("惯性力端迹图", "the hodograph of the shaking force"),
+        title=Words("惯性力矢端曲线", "Hodograph of the shaking force"),
+        called=Words("惯性力矢端曲线", "the hodograph of the shaking force"),
         mu=Mu(
             symbol="μ_P",
             unit="N",

@@ -13,9 +13,14 @@ def counted_from(joint: Prismatic) -> Words:
     of a guide x = c or y = c the axis that it crosses."""
     if joint.through:
         return Words(f"自 ${joint.through}$ 点", f"from ${joint.through}$")
-    if isclose(joint.direction, pi / 2):
+    if upright(joint):
         return Words("自 $x$ 轴向上", "upwards from the $x$ axis")
     return Words("自 $y$ 轴向右", "to the right from the $y$ axis")
+
+
+def upright(joint: Prismatic) -> bool:
+    """Whether the travel counts along the y axis."""
+    return isclose(joint.direction, pi / 2)
 
 
 def travel_words(link: str, joint: Prismatic) -> Words:

@@ -50,8 +50,7 @@ def build(tree: Tree, path: Path | None = None, written: Written | None = None) 
     if (by_data := _by_data(tree := respelled(tree), path)) is not None:
         return by_data
     spec, faults = _spec(tree)
-    bodies = _bodies(spec, faults)
-    masses = read_masses(spec, bodies, faults)
+    masses = read_masses(spec, bodies := _bodies(spec, faults), faults)
     mechanism, motion = _mechanism(spec, bodies, faults)
     loads, machine, weighed, acting = read_acting(spec, bodies, (mechanism, motion), masses, faults)
     asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, machine, weighed, faults)
@@ -63,6 +62,7 @@ def build(tree: Tree, path: Path | None = None, written: Written | None = None) 
         title=spec.title,
         source=spec.source,
         statement=spec.statement,
+        explain=tuple(spec.explain),
         subject=mechanism,
         loads=loads,
         machine=machine,

@@ -108,6 +108,7 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
         title=spec.title,
         source=spec.source,
         statement=spec.statement,
+        explain=tuple(spec.explain),
         subject=subject,
         asks=asks,
         scales=scales,

@@ -97,6 +97,7 @@ class Problem:
     asks: tuple[Ask, ...]
     source: Words | None = None
     statement: Words = field(default_factory=lambda: Words.same(""))
+    explain: tuple[Words, ...] = ()  # what is answered in words
     loads: Loads | None = None
     machine: Machine | None = None  # what acts on it as a machine, where anything is asked of that
     counterweights: Counterweights | None = None  # the masses that balance its inertia forces

@@ -15,6 +15,7 @@ from ...report.document import PICTURE
 from ...report.flow.xml import to_flowables
 from ...report.plates.sketch import sketch_of
 from ...report.question.blanks import working_room
+from ...report.question.lined import lined
 from ...report.question.sketch import sketched
 from ...report.question.working import LEAST_ROOM, Squares
 from ...report.tables import given_tables
@@ -59,16 +60,27 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
     }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
     need = working_room(solution) + sum(extent(one.marks)[1] + AROUND for one in beside)
-    return worked(paged(to_flowables(xml, objects.named, lang)), need)
+    blocks = [*to_flowables(xml, objects.named, lang)]
+    blocks[-1:-1] = lined(solution.problem.explain, lang)  # the last is the heading over the squares
+    return worked(paged(blocks), need)
 
 
 def worked(pages: tuple[tuple[Placed, ...], ...], need: float) -> tuple[tuple[Placed, ...], ...]:
-    """The rest of the last page squared, and one page more where that is less than the work needs (mm)."""
+    """The rest of the last page squared under the heading that ends it, and one page more where that is less than the
+    work needs (mm); both overleaf where the page is all but full."""
     last = pages[-1][-1]
-    room = last.y - last.block.getSpaceAfter() / MM - BOTTOM
-    here = (squared(room),) if room * MM >= LEAST_ROOM else ()
-    more = ((squared(HEIGHT),),) if not here or room < need else ()
-    return (*pages[:-1], (*pages[-1], *here), *more)
+    room = _under(last)
+    if room * MM < LEAST_ROOM:
+        high = last.block.wrap(WIDTH * MM, HEIGHT * MM)[1] / MM
+        head = Placed(last.block, LEFT, TOP - high)
+        return (*pages[:-1], pages[-1][:-1], (head, squared(_under(head))))
+    more = ((squared(HEIGHT),),) if room < need else ()
+    return (*pages[:-1], (*pages[-1], squared(room)), *more)
+
+
+def _under(placed: Placed) -> float:
+    """The room below something on its page, mm."""
+    return float(placed.y - placed.block.getSpaceAfter() / MM - BOTTOM)
 
 
 def squared(room: float) -> Placed:

@@ -78,7 +78,7 @@ def _with(step: Step, short: Sequence[Short]) -> Step:
 
 
 def _said(short: Sequence[Short]) -> tuple[str, str]:
-    named = [f"${adjoined(*one.letters.split())}$ {about(one.mm)}" for one in short[:MOST]]
+    named = [f"{_named(one.letters)} {about(one.mm)}" for one in short[:MOST]]
     zh, en = "、".join(named), ", ".join(named)
     if len(short) > MOST:
         zh, en = f"{zh} 等 {len(short)} 处", f"{en} and {len(short) - MOST} more"
@@ -87,6 +87,12 @@ def _said(short: Sequence[Short]) -> tuple[str, str]:
         f"{f'按 {at}，' if at else ''}图上 {zh}{'' if len(short) > MOST else ' '}{TOO_SHORT.zh}",
         f"on paper {en}, {TOO_SHORT.en}{f' at {at}' if at else ''}",
     )
+
+
+def _named(letters: str) -> str:
+    """The length by its ends; numbers of stations run together: 16–16′, where 1616′ would be one."""
+    ends = letters.split()
+    return "–".join(ends) if ends[0].isdigit() else f"${adjoined(*ends)}$"
 
 
 def _scale(short: Sequence[Short]) -> str:

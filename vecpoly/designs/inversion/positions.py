@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, ClassVar
 
@@ -114,29 +114,35 @@ class Positions(Design):
         return posed_four_bar(values, ab, dc, ad, self.omega, last=True)
 
     def given(self) -> tuple[tuple[str, str], ...]:
-        """The pins, the lines."""
+        """The pins, the lines; those of the body in its own coordinates, x′ and y′."""
         pins = tuple((letter, place.text) for letter, place in (*self.body.items(), *self.frame.items()))
         lines = [
             (letter, line) for letter in "ABCD" if (line := self._line(letter)) and letter not in self._on_body_line
         ]
-        return (*pins, *(said(letter, line) for letter, line in lines))
+        return (*pins, *(_primed(*said(one, line)) if one in self._moving else said(one, line) for one, line in lines))
+
+    @property
+    def _moving(self) -> tuple[str, ...]:
+        """Pins of the body that are given, or have a line, in its own coordinates."""
+        lines = tuple(letter for letter in _MOVING.values() if self._line(letter) is not None)
+        return (*self.body, *(letter for letter in lines if letter not in self._on_body_line))
 
     @property
     def _on_body_line(self) -> list[str]:
         """Pins of the body that lie on its line PQ."""
         moving = [(letter, self._line(letter)) for letter in _MOVING.values()]
-        return [one for one, line in moving if line is not None and line.along.real and not line.at and not self.body]
+        return [one for one, line in moving if line is not None and line.along.real and not line.at]
 
     def told(self) -> tuple[Words, ...]:
         """The positions: of a point and a line of the body; of its coordinates where two pins of its own are given in
         them, and the line that joins these is drawn."""
-        poses = enumerate(self.poses, 1)
+        poses, own = enumerate(self.poses, 1), [f"${letter}$" for letter in self._moving]
         if len(self.body) == 2:
-            return tuple(_posed(n, pose, _ORIGIN, _ACROSS) for n, pose in poses)
-        posed = (_posed(n, pose, Words.same("$P$"), Words.same("$PQ$")) for n, pose in poses)
+            return (*(_posed(n, pose, _ORIGIN, _ACROSS) for n, pose in poses), _measured(own, _AXES))
+        posed = (_posed(n, pose, Words("$P$ ", "$P$"), Words("$PQ$ ", "$PQ$")) for n, pose in poses)
         pins = [f"${letter}$" for letter in self._on_body_line]
         lie = Words(f"{'、'.join(pins)} 在直线 $PQ$ 上", f"{' and '.join(pins)} on the line $PQ$")
-        return (_LINED, *posed, *([lie] if pins else []))
+        return (_LINED, *posed, *([lie] if pins else []), *([_measured(own, _FROM_P)] if own else []))
 
     @property
     def size(self) -> float:
@@ -167,7 +173,23 @@ _LINED = Words(
     f"the body ${_BODY}$ is represented by a line $PQ$ on it, whose length may be chosen freely",
 )
 _ORIGIN = Words(f"${_BODY}$ 的动坐标原点", f"the origin of ${_BODY}$")
-_ACROSS = Words("动坐标轴 $x′$", "its axis $x′$")
+_ACROSS = Words("动坐标轴 $x′$ ", "its axis $x′$")
+_AXES = Words("动坐标系 $x′y′$ ", "the body’s own axes $x′$, $y′$")
+_FROM_P = Words(
+    "动坐标系 $x′y′$（原点 $P$，$x′$ 轴沿 $PQ$）", "the body’s own axes, $x′$ from $P$ to $Q$, $y′$ to its left"
+)
+
+
+def _measured(pins: Sequence[str], axes: Words) -> Words:
+    """In which coordinates these pins of the body are given."""
+    return Words(
+        f"{'、'.join(pins)} 的坐标在 ${_BODY}$ 的{axes.zh}中给出", f"{' and '.join(pins)} in coordinates of {axes.en}"
+    )
+
+
+def _primed(symbol: str, text: str) -> tuple[str, str]:
+    """y_C of the body: y′_C."""
+    return f"{symbol[:1]}′{symbol[1:]}", text
 
 
 def _posed(n: int, pose: Pose, point: Words, line: Words) -> Words:

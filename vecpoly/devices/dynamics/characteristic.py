@@ -105,8 +105,8 @@ def _polynomial(terms: Sequence[str], *, falling: bool) -> Polynomial:
     sizes = [read(term, dim).si for term, dim in zip(terms, _TERMS, strict=False)]
     signed = [sizes[0], *(-size if falling else size for size in sizes[1:])]
     sign = " − " if falling else " + "
-    powers = ("", " ω", " ω²")
-    return Polynomial(terms=tuple(signed), text=sign.join(t + p for t, p in zip(terms, powers, strict=False)))
+    told = [terms[0], *(f"({term}) {power}" for term, power in zip(terms[1:], ("ω", "ω²"), strict=False))]
+    return Polynomial(terms=tuple(signed), text=sign.join(told))
 
 
 def _measured(rows: Sequence[Sequence[Any]]) -> Measured:

@@ -94,6 +94,8 @@ CURVES: tuple[Kind, ...] = (
     ),
     Kind(words=Words("基圆", "base circle"), met=is_base_circle, sample=line),
 )
+
+
 BODIES: tuple[Kind, ...] = (
     Kind(
         words=Words("力（长度不表示大小）", "force (length not to scale)"),

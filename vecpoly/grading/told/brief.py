@@ -15,12 +15,18 @@ _IN_TABLE: Mapping[Told, Words] = {
         "误差 {e}；允许 ±{t}，按所写末位放宽到 ±{w}", "Error {e}; allowed ±{t}, and ±{w} with the last digit written"
     ),
     Told.DEMOTED: Words("手工作图散布 ±{t}（{share}%）*", "Drawings scatter by ±{t} ({share} %)*"),
+    Told.MANY_DIGITS: Words("{n} 位†", "{n} digits†"),
     Told.RIGHT: Words.same(""),
     Told.BLANK: Words.same(""),
 }
 SCATTERED = Words(
     "* 此处作图对误差极敏感，不能判得更细；此量宜计算求得。",
     "* Drawings scatter so much here that it can be judged no more finely; it is better computed.",
+)
+
+PRECISE = Words(
+    "† 有效数字太多：图上量得的长度只有 3 位左右，结果宜取 3 位。",
+    "† Too many significant digits: a length read off a drawing has about 3, and so should what comes of it.",
 )
 
 
@@ -30,6 +36,7 @@ def brief(said: Sequence[Message]) -> tuple[Words, ...]:
     return tuple(words for words in found if words.en)
 
 
-def is_scattered(said: Sequence[Message]) -> bool:
-    """Whether the sentence below the table is meant."""
-    return any(one.id is Told.DEMOTED for one in said)
+def notes(said: Sequence[Message]) -> tuple[Words, ...]:
+    """The sentences below the table that its marks point to, each once."""
+    met = {one.id for one in said}
+    return tuple(words for told, words in ((Told.DEMOTED, SCATTERED), (Told.MANY_DIGITS, PRECISE)) if told in met)

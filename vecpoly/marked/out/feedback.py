@@ -21,7 +21,7 @@ from ...foundation.slotted import replace
 from ...grading.compare.outcome import Basis, Finding
 from ...grading.marking.marked import Marked
 from ...grading.rules import USUAL_RULES, Rules
-from ...grading.told.brief import SCATTERED, brief, is_scattered
+from ...grading.told.brief import brief, notes
 from ...grading.told.message import Message
 from ...grading.told.scheme import rules_told
 from ...grading.told.veiled import veiled
@@ -115,13 +115,13 @@ def _problem(
     rows = [_row(one, marked, lang, open_) for one in marked.findings]
     table = DataTable(_HEAD[lang], rows, _WIDTHS, "lllddl", lang=lang)
     drawn: Sequence[Scene] = () if work is None else work.scenes
-    scattered = any(is_scattered(_shown(one.messages, open_)) for one in marked.findings)
+    below = notes([said for one in marked.findings for said in _shown(one.messages, open_)])
     said = [*(one.words.of(lang) for one in marked.messages), *(fault.of(lang) for fault in marked.faults)]
     said += [] if work is None else [one.of(lang) for one in work.mark.told]
     return {
         "label": label(problem.id).of(lang), "title": problem.title.of(lang), "total": f"{marked.total:g}",
         "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),
-        "scattered": SCATTERED.of(lang) if scattered else "",
+        "scattered": " ".join(one.of(lang) for one in below),
         "named": _named(marked, lang),
         "stated": f"{sum(marked.stated.values()):g}" if marked.stated else "",
         "lost": f"{marked.lost:g}" if marked.lost else "",
@@ -164,7 +164,7 @@ def _equations(marked: Marked, lang: Lang, open_: bool) -> DataTable:
         why = _why(_shown(one.messages, open_), lang)
         points = (f"{one.earned:.2g}", f"{one.worth:.2g}") if one.worth else ("", "")
         rows.append((one.title.of(lang), one.raw.strip() or "—", one.outcome.words.of(lang), *points, why))
-    return DataTable(_ROWS[lang], rows, _WIDTHS, "lllddl", lang=lang)
+    return _table(_ROWS[lang], rows, lang)
 
 
 def _lines(marked: Marked, lang: Lang, open_: bool) -> DataTable:
@@ -176,7 +176,13 @@ def _lines(marked: Marked, lang: Lang, open_: bool) -> DataTable:
         )
         for one in marked.lines
     ]  # fmt: skip
-    return DataTable(_LINES[lang], rows, _WIDTHS, "lllddl", lang=lang)
+    return _table(_LINES[lang], rows, lang)
+
+
+def _table(heads: Sequence[str], rows: Sequence[Sequence[str]], lang: Lang) -> DataTable:
+    """Without the last column where nothing stands in it: all is right."""
+    last = None if any(row[-1] for row in rows) else -1
+    return DataTable(heads[:last], [row[:last] for row in rows], _WIDTHS[:last], "lllddl"[:last], lang=lang)
 
 
 def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects) -> list[str]:

@@ -106,11 +106,11 @@ def _constant(period: Period, pane: Pane, loads: Graph, named: Named, *, drives:
     board, symbol = period.board, named.symbol
     board.step(
         Words(
-            "一个周期内驱动功等于阻力功：量出曲线与 $φ$ 轴之间的面积 $S$（轴下为负）和周期的长度 $OT$，等面积矩形的高即"
-            f"为 ${symbol}$。",
-            "Over the period $OT$ the work of the driving moment equals that of the resisting moment. Measure the area "
-            "$S$ between the curve and the $φ$ axis (negative below it); the rectangle of the same area over $OT$ has "
-            f"the height ${symbol}$.",
+            "一个周期内驱动功等于阻力功：量出曲线与 $φ$ 轴之间的各块面积 $S_i$（轴下为负）和周期的长度 $OT$，"
+            f"等面积矩形的高即为 ${symbol}$。",
+            "Over the period $OT$ the work of the driving moment equals that of the resisting moment. Measure the "
+            "areas $S_i$ between the curve and the $φ$ axis (negative below it); the rectangle of the same area over "
+            f"$OT$ has the height ${symbol}$.",
         ),
         pane,
     )

@@ -16,6 +16,10 @@ KEYS = {
     ),
     "Problem.source": Words("出处", "where the problem is printed"),
     "Problem.statement": Words("题目正文；符号写在 $ 之间", "the text of the problem; symbols between dollar signs"),
+    "Problem.explain": Words(
+        "用文字回答的各问，作业题目上留有横线：[{zh: 机构类型, en: type of linkage}]",
+        "what is answered in words; a question sheet has lines for it: [{zh: ..., en: type of linkage}]",
+    ),
     "Problem.frame": Words("机架上的固定点：A: [0 mm, 0 mm]", "the fixed points: A: [0 mm, 0 mm]"),
     "Problem.links": Words("按编号列出活动构件；机架不写", "the moving links by number; the frame has no entry"),
     "Problem.joints": Words(

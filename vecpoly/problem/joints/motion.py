@@ -19,6 +19,7 @@ from ..links.draft import Draft, letters_of
 from ..problem import Datum, Shape
 from ..schema.faults import meant
 from ..schema.models import InputSpec, ProblemSpec
+from ..values.seen import counted
 from .between import is_between, read_between
 
 _FROM = pattern(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
@@ -198,7 +199,7 @@ def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Dr
     name = draft.name
     data = [
         Datum(symbol=f"s_{name}", si=travel.si, text=travel.text),
-        Datum(words=travel_words(name, guide)),
+        Datum(words=travel_words(name, guide), seen=counted(name, guide)),
         Datum(symbol=f"v_{name}", si=rate.si, text=rate.text),
     ]
     if spec.a is not None:

@@ -11,12 +11,13 @@ from ...foundation.indices import LETTER
 from ...foundation.patterns import pattern
 from ...foundation.slotted import replace
 from ...mechanism.model import FRAME, Circle, Rack, Rolling, Side
-from ...units.reading import positive
+from ...units.reading import Dim, positive, read
 from ...words import Words
 from ..links.bodies import Bodies
 from ..links.guides import LINK, fixed_line
 from ..links.teeth import pressure_angle
 from ..schema.faults import not_on_frame
+from ..values.seen import Round
 
 _SIZE = r"[\d.]+ \w+"  # of the second pitch circle of a stepped gear
 _BESIDE = "above|below|left|right"
@@ -54,7 +55,8 @@ def read_rolling(text: str, bodies: Bodies) -> Rolling:
         )
     if fixed := re.fullmatch(_FIXED, m["on"]):
         bodies.draft(gear.link).say(
-            _fixed_wheel(gear.link, m["point"], fixed[1], fixed[2], inside=_side(m) == "inside")
+            _fixed_wheel(gear.link, m["point"], fixed[1], fixed[2], inside=_side(m) == "inside"),
+            Round(symbol=f"r_{m['point']}", radius=read(fixed[2], Dim.LENGTH).si),
         )
     if gear.link == on.link:
         raise FaultError(Words(f"构件 {gear.link} 不能在自身上滚动", f"link {gear.link} cannot roll on itself"))

@@ -11,6 +11,7 @@ from ...words import Words
 from ..links.draft import Draft
 from ..links.guides import LINK
 from ..problem import Shape
+from ..values.seen import Beside, Leaning
 
 # what makes an angle with the guide
 _OWN = {Shape.SLOT: Words("的滑道", "the slideway of "), Shape.ROD: Words("的杆", "the rod of ")}
@@ -23,7 +24,8 @@ def note_aside(m: re.Match[str], draft: Draft) -> None:
         Words(
             f"偏距 $e$ = {m['offset']}（${m['off']}$ 在导路{side}侧）",
             f"offset $e$ = {m['offset']} (${m['off']}$ to the {m['side']} of the guide)",
-        )
+        ),
+        Beside(letter=m["off"]),
     )
 
 
@@ -40,20 +42,26 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
             Words(
                 f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
                 f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            )
+            ),
+            Leaning(at=fixed[1], turn=read(fixed[2], Dim.ANGLE).si),
         )
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
         own = _OWN.get(block.shape, Words("", ""))
-        on = (
-            Words(f"构件 {m['guide']} 的", f" on link {m['guide']}")
-            if re.fullmatch(LINK, m["guide"])
-            else Words("", "")
-        )
+        on = _guide_told(m["guide"])
         block.say(
             Words(
-                f"构件 {block.name} {own.zh}与{on.zh}导路成 {acute:g}°",
-                f"{own.en}link {block.name} is at {acute:g}° to its guide{on.en}",
+                f"构件 {block.name} {own.zh}与{on.zh}成 {acute:g}°",
+                f"{own.en}link {block.name} is at {acute:g}° to {on.en}",
             )
         )
+
+
+def _guide_told(guide: str) -> Words:
+    """A line by its letters; a guide by the link that has it, or by itself where that is the frame."""
+    if (found := re.match(rf"{LETTER}{LETTER}(?= of |$)", guide)) is not None:
+        return Words(f" ${found[0]}$ ", f"${found[0]}$")
+    if re.fullmatch(LINK, guide):
+        return Words(f"构件 {guide} 的导路", f"its guide on link {guide}")
+    return Words("导路", "its guide")

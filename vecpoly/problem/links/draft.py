@@ -15,6 +15,7 @@ from ...mechanism.model import Circle, Link, Placement
 from ...words import Words
 from ..problem import Datum, Shape
 from ..schema.faults import not_on_link
+from ..values.seen import Seen
 
 if TYPE_CHECKING:
     from ...devices.cams.cam import Cam  # not at once: pydantic, which checks its data, is slow to load
@@ -74,9 +75,9 @@ class Draft:
         """Remember a length for 已知; words: what it is, where the symbol does not say so."""
         self.lengths.append(Datum(symbol=symbol, si=si, text=text, words=words))
 
-    def say(self, words: Words) -> None:
-        """Remember a given fact that has no symbol."""
-        self.lengths.append(Datum(words=words))
+    def say(self, words: Words, seen: Seen | None = None) -> None:
+        """Remember a given fact that has no symbol; seen: as a sketch shows it."""
+        self.lengths.append(Datum(words=words, seen=seen))
 
 
 def letters_of(word: str) -> tuple[str, str]:

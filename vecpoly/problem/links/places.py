@@ -14,7 +14,8 @@ from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
 from ..schema.faults import meant
 from ..text.source import Value
-from .draft import ANGLE_FROM, PLACED, Draft, ends_of, ray
+from ..values.seen import OffItsGuide, SetOff
+from .draft import ANGLE_FROM, PLACED, Draft, ends_of, letters_of, ray
 from .starts import is_phased, phased
 
 _SIDE = pattern(rf"(left|right) of ({LETTER})({LETTER})")
@@ -75,8 +76,7 @@ def _by_offsets(draft: Draft, point: str, data: Mapping[str, Value]) -> tuple[Pl
                 code="contradiction",
             )
     base, start, unit = ray(draft, str(data["along"]))
-    at = read(data.get("at"), Dim.LENGTH)
-    left = aside(data)
+    at, left = read(data.get("at"), Dim.LENGTH), aside(data)
     _note_offsets(draft, point, data, start + unit * at.si, base[0], at)
     placement = ByOffsets(point=point, base=base, along=at.si, left=left)
     return placement, start + unit * local(placement, draft.points)
@@ -115,9 +115,8 @@ def _note_offsets(
     """l_BD = 50 mm on the ray; l_DE = 40 mm where a point D is the foot of E; words otherwise."""
     side = "left" if "left" in data else "right"
     beside = read(data[side], Dim.LENGTH).si if side in data else 0.0
-    away = str(data.get(side, "")).lstrip("-−+ ")
+    away, distance = str(data.get(side, "")).lstrip("-−+ "), at.text.lstrip("-−+ ")
     produced = Words("的反向延长线上", " produced backwards") if at.si < 0 else Words("上", "")
-    distance = at.text.lstrip("-−+ ")
     below = next((letter for letter, place in draft.points.items() if abs(place - foot) < 1e-12), "")
     if not beside:
         draft.note(f"l_{origin}{point}", abs(at.si), distance)
@@ -132,18 +131,25 @@ def _note_offsets(
         draft.note(f"l_{below}{point}", abs(beside), away)
     else:
         zh, en = ("左", "left") if (side == "left") is (beside > 0) else ("右", "right")
-        along, point = str(data["along"]), subscripted(point)
+        along, named = str(data["along"]), subscripted(point)
+        guide = len(along) == 1 or along == "line"
         line, line_en = (
-            (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$")
-            if len(along) == 1
+            (f"导槽中线（自 ${origin}$ 起）", f"the slot's line from ${origin}$")
+            if guide
             else (f" ${along}$ ", f"${along}$")
         )
         draft.say(
             Words(
-                f"${point}$ 沿{line}{'的反向延长线' if at.si < 0 else ''}距 ${origin}$ {distance}，位于其{zh}侧 {away}",
-                f"${point}$ lies {distance} from ${origin}$ along {line_en}{produced.en} and {away} to its {en}",
-            )
+                f"${named}$ 沿{line}{'的反向延长线' if at.si < 0 else ''}距 ${origin}$ {distance}，位于其{zh}侧 {away}",
+                f"${named}$ lies {distance} from ${origin}$ along {line_en}{produced.en} and {away} to its {en}",
+            ),
+            None if guide else _set_off(point, along, at.si, beside if side == "left" else -beside),
         )
+
+
+def _set_off(point: str, line: str, along: float, left: float) -> SetOff:
+    start, end = letters_of(line)
+    return SetOff(point=point, start=start, end=end, along=along, left=left)
 
 
 def _by_angle(draft: Draft, point: str, data: Mapping[str, Value], lengths: list[str]) -> tuple[Placement, complex]:
@@ -181,7 +187,8 @@ def _by_angle(draft: Draft, point: str, data: Mapping[str, Value], lengths: list
             Words(
                 f"${ends[0]}{ends[1]}$ 与构件 {draft.name} 所沿导路的方向成 {m[1]}",
                 f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide of link {draft.name}",
-            )
+            ),
+            OffItsGuide(at=ends[0], end=ends[1], link=draft.name, turn=angle),
         )
     placement = ByAngle(point=point, base=base, distance=distance.si, angle=angle)
     return placement, start + unit * local(placement, draft.points)

@@ -16,6 +16,7 @@ from ...mechanism.model import Circle
 from ...words import Words
 from ..schema.faults import Faults
 from ..text.source import Value
+from ..values.seen import Round
 from .bodies import Bodies
 from .draft import Draft
 
@@ -52,7 +53,8 @@ def give_profile(draft: Draft, data: Mapping[str, Value]) -> None:
         )
     draft.cam = _read({key: value for key, value in given.items() if key not in OWN}, draft.name)
     draft.points[about] = 0j
-    draft.say(_told(draft, about, draft.cam))
+    base = None if draft.cam.r0 is None else Round(symbol="r_0", radius=draft.cam.r0.si)
+    draft.say(_told(draft, about, draft.cam), base)
 
 
 def letter_centres(bodies: Bodies, joints: Iterable[object]) -> None:

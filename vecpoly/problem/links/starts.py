@@ -16,6 +16,7 @@ from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
 from ..problem import Shape
 from ..text.source import Value
+from ..values.seen import Leaning, counted
 from .draft import Draft
 
 _FROM = pattern(rf"(.+?)\s+from\s+({LETTER})({LETTER})")
@@ -74,7 +75,7 @@ def say_travels(drafts: Iterable[Draft], joints: Iterable[Joint]) -> None:
     for draft in drafts:
         slide = next((joint for joint in slides if draft.name in (joint.block, joint.guide)), None)
         if draft.start is not None and draft.start.slide and slide is not None:
-            draft.say(travel_words(draft.name, slide))
+            draft.say(travel_words(draft.name, slide), counted(draft.name, slide))
 
 
 def is_phased(draft: Draft, text: str) -> bool:
@@ -117,7 +118,8 @@ def phased(draft: Draft, point: str, key: str, length: Value, text: str) -> comp
         Words(
             f"图示位置 ${centre}{point}$ 与{zero}成 {shown}",
             f"${centre}{point}$ is at {shown} to {zero_en} in the given position",
-        )
+        ),
+        None if ray else Leaning(at=centre, turn=angle.si),
     )
     return cmath.rect(distance.si, angle.si)
 

@@ -189,6 +189,7 @@ class ProblemSpec(Spec):
     extends: str | None = Field(None, description="id or path of a problem whose data are taken over")
     source: Text | None = None
     statement: Text = Words.same("")
+    explain: list[Text] = []
     frame: dict[str, Pair]
     links: dict[str, Link] = Field(min_length=1)
     joints: list[str] = []
@@ -199,9 +200,7 @@ class ProblemSpec(Spec):
     method: Literal["polygons", "centres", "curvature"] = Field(
         "polygons", description="velocities by vector polygons, or by instant centres; curvatures of paths"
     )
-    construction: Literal["bobillier", "euler-savary", "hartmann", "aronhold"] | None = Field(
-        None, description="with method: curvature, the construction by which they are found"
-    )
+    construction: Literal["bobillier", "euler-savary", "hartmann", "aronhold"] | None = None
     printed: list[PrintedSpec] = []
     errata: list[Text] = []
     tables: list[str] = Field([], description="printed tables (CSV or XLSX) to be checked, as paths beside this file")
@@ -228,6 +227,7 @@ class DataSpec(Spec):
     extends: str | None = None
     source: Text | None = None
     statement: Text = Words.same("")
+    explain: list[Text] = []
     data: dict[str, Any] = {}
     scales: ScalesSpec = ScalesSpec()
     find: list[str] = Field([], min_length=1)

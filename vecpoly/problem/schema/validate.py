@@ -39,6 +39,7 @@ _LISTS = {
     "tables": "[table.csv]",
     "problems": "[3-8, 3-9]",
     "errata": "['...']",
+    "explain": "['...']",
     "independent": "[bc2]",
     "first": "[v_C]",
     "columns": "[{head: No, holds: number}]",

@@ -8,7 +8,7 @@ from ...foundation.patterns import pattern
 
 WIDE = pattern("[\u3000-\u3002\u3008-\u3011\uff01-\uff5e“”‘’]")
 # words for people: kept as written
-TEXTS = frozenset({"title", "source", "statement", "errata", "note", "zh", "en", "title_block"})
+TEXTS = frozenset({"title", "source", "statement", "explain", "errata", "note", "zh", "en", "title_block"})
 FILES = frozenset({"extends", "tables", "problem", "problems"})  # names of files, which may hold any letter
 OPENING = {"{": "}", "[": "]", "｛": "}", "［": "]", "【": "]"}
 CLOSING = {"}": "}", "]": "]", "｝": "}", "］": "]", "】": "]"}

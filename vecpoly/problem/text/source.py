@@ -19,7 +19,7 @@ from .commas import braced, cut_short, is_braced, parted, torn
 from .narrow import Narrowed, narrowed
 from .nodes import composed, refused
 
-PROSE = frozenset({"statement", "source", "errata", "note"})  # below these keys people write sentences
+PROSE = frozenset({"statement", "explain", "source", "errata", "note"})  # below these keys people write sentences
 _SHORT = 50_000  # signs; a problem file has a few thousand
 
 Value = Any  # str | None | list[Value] | dict[str, Value]; what is in a file is known only after validation

@@ -12,6 +12,7 @@ from ...foundation.frozen import FrozenMap
 from ...foundation.patterns import pattern
 from ...foundation.slotted import dataclass
 from ...words import Lang, Words
+from .seen import Seen
 
 
 class Shape(StrEnum):
@@ -40,7 +41,7 @@ class Datum:
     """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
 
     Where no symbol is usual, the symbol is empty and `words` say it all; a table stands under them.
-    Words with a symbol have a gap `{}` for the value.
+    Words with a symbol have a gap `{}` for the value. seen: what they say, for a sketch.
     """
 
     symbol: str = ""
@@ -48,6 +49,7 @@ class Datum:
     text: str = ""
     words: Words | None = None
     table: GivenTable | None = None
+    seen: Seen | None = None
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
@@ -72,6 +74,7 @@ _TYPESET = {
     lang: (
         (pattern(r"\blog10\((\w)\)"), log),
         (pattern(r"\ba(sin|cos|tan)\("), r"arc\1("),
+        (pattern(r"\) ω(²?)"), r") $ω$\1"),  # of a characteristic
         (pattern(r"(?<=[A-Za-z])\*(?=[a-z])"), "·"),
         (pattern(r" -> "), " → "),
         (pattern(r"(?<=[°)]) - (?=[\da-z])"), " − "),

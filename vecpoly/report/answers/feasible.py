@@ -22,9 +22,9 @@ def feasible(solution: Solution, rotor: Rotor) -> Iterator[Words]:
     sizes = [one.drawn for one in found if one is not None]
     if ASKING not in solution.problem.statement.zh or len(sizes) < 2:
         return
-    planes = joined([Words.same(f"${plane}$") for plane in rotor.correct])
+    planes = joined([Words(f" ${plane}$ ", f"${plane}$") for plane in rotor.correct])
     yield Words(
-        f"能实现：在平面 {planes.zh}内各加一个质径积。",
+        f"能实现：在平面{planes.zh}内各加一个质径积。",
         f"It can be carried out, with one mass–radius product in each of the planes {planes.en}.",
     )
     if DYNAMIC.key not in solution.answers:

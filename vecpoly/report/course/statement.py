@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from ...algebra.quantity import number
@@ -11,12 +10,11 @@ from ...findings.study.study import Study
 from ...foundation.slotted import replace
 from ...mechanism.groups.mobility import mobility
 from ...names import Rel
-from ...problem.values.given import Datum, as_printed
 from ...words import Words
 from ..content import pivots, statement
 from ..flow.table import DataTable
 from ..picture import picture, to_scale
-from ..statement.in_table import in_table
+from ..statement.in_table import in_table, scalar
 from ..statement.shortened import shortened
 from ..tables import given_tables
 from .modelling.dimensions import dimensions, listed, rounded
@@ -24,7 +22,6 @@ from .numbering import Press
 
 _PICTURE = (130.0, 80.0)  # mm
 _MANY, _FEW = 7, 3  # data that make a table, and at least in a column of it
-_NUMBER = re.compile(r"(−?[\d.]+)(°| [^\d（(]*\S(?: ?[（(].*)?)?")
 _DATA = Words("已知数据", "The data")
 _TABLE = Words("给定的数据", "What is given by a table")
 _HEADS = {"zh": ("已知量", "数值", "单位"), "en": ("Quantity", "Value", "Unit")}
@@ -64,11 +61,11 @@ def known(study: Study, press: Press, listed: frozenset[str] = frozenset()) -> d
     dimensions tells, whose symbols stand in no other place."""
     lengths = [datum for datum in study.problem.given.data if _bare(datum.symbol) in listed]
     data = [datum for datum in study.problem.given.data if datum not in lengths]
-    rows = [row for datum in data if (row := _parts(datum, press)) is not None]
+    rows = [row for datum in data if (row := scalar(datum, press.lang)) is not None]
     parted = len(rows) >= _MANY
     told = [
         pivots(study.mech).of(press.lang),
-        *(shortened(d.of(press.lang)) for d in data if not parted or _parts(d, press) is None),
+        *(shortened(d.of(press.lang)) for d in data if not parted or scalar(d, press.lang) is None),
     ]
     given = ("，" if press.lang == "zh" else ", ").join(told)
     return {"given": given, "lengths": bool(lengths), "data": _data(rows, press) if parted else ""}
@@ -87,15 +84,6 @@ def _data(rows: list[tuple[str, str, str]], press: Press) -> str:
     table = [tuple(cell for row in line for cell in (*row, ""))[:-1] for line in lines]
     heads = [*([*_HEADS[press.lang], ""] * len(columns))][:-1]
     return press.table(_DATA, heads, table, ("lrll" * len(columns))[:-1])
-
-
-def _parts(datum: Datum, press: Press) -> tuple[str, str, str] | None:
-    """Symbol, number and unit; None of what takes words."""
-    text = shortened(as_printed(datum.text, press.lang))
-    found = _NUMBER.fullmatch(text)
-    if not datum.symbol or datum.words is not None or found is None:
-        return None
-    return f"${datum.symbol}$", found[1], (found[2] or "").strip() or "—"
 
 
 def _undrawn(study: Study, press: Press) -> dict[str, str]:

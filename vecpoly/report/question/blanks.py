@@ -12,6 +12,7 @@ from ...errors import UnknownNameError
 from ...mechanism.model import Mechanism
 from ...names import Kind, Named, Rel, parse_rel, written_unit
 from ...printed.units import printed_unit
+from ...problem.asked.asks import AskCoriolis
 from ...solution import YES_NO, Answer, Solution
 from ...typeset.box import MM
 from ...words import Lang, Words
@@ -29,8 +30,10 @@ from .ruled import NONE, RuledTable
 _YES_OR_NO = Words("（是/否）", " (yes or no)")
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
 LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
+_NOUGHT = Words("哥氏加速度 {}（无则填 0）", "Coriolis term {} (0 if none)")
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
+_SPEEDS = frozenset(("omega_m", "omega_max", "omega_min"))  # of a machine: sizes
 _ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求量", "Required")
 
 
@@ -103,10 +106,17 @@ def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
     name = _named(one, symbol, solution, lang) if meant is None else meant.of(lang).removeprefix("the ")
     if one.reading.unit == YES_NO:
         name = _either(asked_as(symbol, key, lang), lang)
+    if key in _in_doubt(solution):
+        name = _NOUGHT.of(lang).format(f"${symbol}$")
     paper = "" if _measured(one) else NONE
     way = "" if _points(one) and f"theta_{key.partition('_')[2]}" not in solution.answers else NONE
     unit = NONE if one.is_place else _unit(one.reading.unit)
     return name, paper, _PLACE.of(lang) if one.is_place else "", unit, way
+
+
+def _in_doubt(solution: Solution) -> frozenset[str]:
+    """Terms of which it is asked whether they exist."""
+    return frozenset(ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis))
 
 
 def _either(name: str, lang: Lang) -> str:
@@ -142,14 +152,20 @@ def _none(one: Reading, lang: Lang) -> Cells:
 
 
 def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
-    """A row for each velocity and acceleration that is computed and not asked, under a heading: those of points, which
-    are laid off, then those of links."""
-    keys = (act.key for act in solution.construction.acts if isinstance(act, Compute))
-    found = [rel for key in dict.fromkeys(keys) if key not in solution.answers and (rel := _motion(key)) is not None]
+    """A row for each velocity and acceleration that is computed, neither asked nor given, under a heading: those of
+    points, which are laid off, then those of links; the mean of a machine's speed, or its extremes, have no sense."""
+    known = {*solution.answers, *(_bare(datum.symbol) for datum in solution.problem.given.data)}
+    keys = dict.fromkeys(act.key for act in solution.construction.acts if isinstance(act, Compute))
+    found = [rel for key in keys if (rel := _motion(key)) is not None and not known & {key, _bare(rel.symbol)}]
     if found:
         yield headed(_ON_THE_WAY.of(lang))
     for rel in sorted(found, key=_by_kind):
-        yield (f"${rel.symbol}$", "" if rel.is_vector else NONE, "", _unit(rel.unit), "")
+        way = NONE if rel.key in _SPEEDS else ""
+        yield f"${rel.symbol}$", "" if rel.is_vector else NONE, "", _unit(rel.unit), way
+
+
+def _bare(symbol: str) -> str:
+    return symbol.replace("{", "").replace("}", "")
 
 
 def _by_kind(rel: Rel) -> tuple[int, str]:

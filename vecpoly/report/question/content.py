@@ -56,7 +56,7 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
     figures, blank = solution.construction.figures, sheets.figures
     title = _READ if all(one.reading.mm is not None for one in solution.answers.values()) else _FOUND
     table = empty_table(solution, lang)
-    foot = [Heading(title.of(lang), 3, lang), table, *lined(solution.problem.statement, lang)]
+    foot = [Heading(title.of(lang), 3, lang), table, *lined(solution.problem.explain, lang)]
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],

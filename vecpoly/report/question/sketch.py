@@ -50,7 +50,7 @@ def _sketched(problem: Problem, construction: Construction, width: float, height
         return picture(problem, construction, width, height)
     if (drawn := whole(problem, width, LOW * height)) is not None:
         return drawn
-    found = [mark for mark in given(construction, figure) if getattr(mark, "role", None) is not Role.OTHER]
+    found = [mark for mark in given(construction, figure, problem) if getattr(mark, "role", None) is not Role.OTHER]
     letters = {mark.at: mark.label.partition("_") for mark in found if isinstance(mark, Point)}
     marks = [_fine(mark) for mark in found if not _is_chord(mark, letters)]
     if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:

@@ -16,7 +16,7 @@ from ..flow.style import PALE
 SQUARE = 5.0 * MM
 LEAST_ROOM, _LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; for a line or two, or over a tall table
 BEGUN = 70.0 * MM  # of squares that go on overleaf: a lower strip stays white
-_TALL, _TALLEST = 180.0 * MM, 190.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
+_TALL, _TALLEST = 180.0 * MM, 193.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
 _GAP = 3.0 * MM
 _CLOSE = 0.6  # of the room that the work has on lines of its own: so much it needs in two columns, which spares a page
 _ON = {"zh": "{}（续）", "en": "{} (continued)"}

@@ -11,9 +11,10 @@ from ...board.paper.marks import Ground, Mark, Point, Role, Segment, TurnArrow
 from ...foundation.patterns import pattern
 from ...mechanism.model import FRAME, Prismatic
 from ...problem.problem import Problem
+from ...problem.values.seen import Counted
 from .lines import span
 
-_GUIDE, _SLID = r"([xy])_(\w)", r"\$s_(\w)\$ counts (to the right|upwards) from"
+_GUIDE = r"([xy])_(\w)"  # the symbol of a datum
 _AXES = {"x": 1 + 0j, "y": 1j}
 _LEAST, _NEAR, _AWAY = 1e-6, 0.5, 7.0  # m; mm: from the place that is told; beyond all that is drawn
 _GROUND = 5.0  # mm: of a support, to its side
@@ -44,9 +45,9 @@ def coordinates_of_guides(problem: Problem, figure: Figure) -> Iterator[Mark]:
 
 def _slid(problem: Problem) -> Mapping[str, tuple[str, str]]:
     """Of each driving block its coordinate's symbol, with the axis along which it counts and its pin."""
-    told = [found for datum in problem.given.data for found in pattern(_SLID).findall(datum.of("en"))]
+    told = [datum.seen for datum in problem.given.data if isinstance(datum.seen, Counted)]
     pins = {j.block: j.pin for j in problem.mechanism.joints if isinstance(j, Prismatic) and j.guide == FRAME}
-    return {f"s_{link}": ("y" if way == "upwards" else "x", pins[link]) for link, way in told if link in pins}
+    return {f"s_{one.link}": ("y" if one.upright else "x", pins[one.link]) for one in told if one.link in pins}
 
 
 def _from(known: Mapping[complex, complex], way: complex, origin: complex) -> complex:

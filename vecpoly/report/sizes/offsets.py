@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping
-from math import isclose, pi, radians
+from math import isclose, pi
 
 from ...board.construction import Figure
 from ...board.paper.marks import Mark, Point
 from ...cycle.sample import sample
-from ...foundation.patterns import pattern
 from ...mechanism.model import FRAME, Mechanism, Prismatic
 from ...problem.problem import Problem
+from ...problem.values.seen import Beside, OffItsGuide
 from .lines import angle, span
+from .set_off import in_degrees
 
 _BESIDE, _AWAY = 8.0, 15.0  # mm: from the pin to its dimension; from the block to the arc of an angle
 _NEAR = 1e-9  # m
 _CLOSE = 0.02  # rad
-_TO_GUIDE = r"\$(\w)(\w)\$ is at (−?[\d.]+)° to the guide of link (\w+)"
 
 
 def mechanism(problem: Problem, figure: Figure) -> Iterator[Mark]:
@@ -28,14 +28,14 @@ def mechanism(problem: Problem, figure: Figure) -> Iterator[Mark]:
         return
     motion = sample(mech, None, mech.drive.position).motion
     turns = {joint: float(motion.angle(joint.guide)) + joint.direction for joint in guides}
-    named = any(datum.words is not None and "$e$" in datum.words.en for datum in problem.given.data)
+    named = any(isinstance(datum.seen, Beside) for datum in problem.given.data)
     for joint in guides if named else ():
         yield from _offset(mech, joint, cmath.rect(1.0, turns[joint]), spots, figure.scale.value)
     for datum in problem.given.data:
-        for x, y, size, link in pattern(_TO_GUIDE).findall(datum.of("en")) if datum.words is not None else ():
-            way = next((turn for joint, turn in turns.items() if link in (joint.block, joint.guide)), None)
-            if way is not None and x in spots and y in spots:
-                yield from _to_guide(spots[x], spots[y], way, size)
+        if isinstance(told := datum.seen, OffItsGuide) and {told.at, told.end} <= set(spots):
+            way = next((turn for joint, turn in turns.items() if told.link in (joint.block, joint.guide)), None)
+            if way is not None:
+                yield from _to_guide(spots[told.at], spots[told.end], way, told.turn)
 
 
 def _offset(
@@ -57,11 +57,11 @@ def _offset(
     yield from span(spots[pivot], foot, "e", _BESIDE * ahead)
 
 
-def _to_guide(at: complex, end: complex, turn: float, size: str) -> Iterator[Mark]:
+def _to_guide(at: complex, end: complex, turn: float, given: float) -> Iterator[Mark]:
     """The angle between the guide and a bar from its block, from that side of the guide from which it is so large."""
-    given, way = abs(radians(float(size.replace("−", "-")))), cmath.phase(end - at)
+    way = cmath.phase(end - at)
     for start in (turn, turn + pi):
         sweep = cmath.phase(cmath.rect(1.0, way - start))
-        if isclose(abs(sweep), given, abs_tol=_CLOSE):
-            yield from angle(at, sweep, f"{size.removeprefix('−')}°", _AWAY, start)
+        if isclose(abs(sweep), abs(given), abs_tol=_CLOSE):
+            yield from angle(at, sweep, in_degrees(given), _AWAY, start)
             return

@@ -13,12 +13,12 @@ from ...board.paper.marks import AngleMark, Arc, Disc, GearMark, Ground, Mark, P
 from ...drawing.symbols.outlines import outlines
 from ...foundation.patterns import pattern
 from ...problem.problem import Problem
-from ...units.reading import Dim, read
+from ...problem.values.seen import Round
 from .lines import NARROW, OUT, radius
 
 Circle = Arc | Disc | GearMark
 
-_SYMBOL, _TOLD = r"r_\d(\^?′)?", r"\$(r(?:_\w)?)\$ = ([\d.]+ mm)"
+_SYMBOL = r"r_\d(\^?′)?"  # of a link's own circle
 _LIKE = 2e-3  # of a radius by which it may be drawn differently
 _WAYS = tuple(tau * k / 48 for k in range(48))
 _FIRST = 0.15 * pi  # of directions as free as each other the one nearest to this
@@ -46,9 +46,8 @@ def _given(problem: Problem) -> Iterator[tuple[str, float]]:
     for datum in problem.given.data:
         if pattern(_SYMBOL).fullmatch(datum.symbol):
             yield datum.symbol, datum.si
-        elif datum.words is not None:
-            for symbol, text in pattern(_TOLD).findall(datum.words.en):
-                yield symbol, read(text, Dim.LENGTH).si
+        elif isinstance(told := datum.seen, Round):
+            yield told.symbol, told.radius
 
 
 def _circles(figure: Figure) -> Iterator[Circle]:

@@ -4,20 +4,14 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping
-from math import radians
+from math import degrees
 
 from ...board.construction import Figure
 from ...board.paper.marks import AngleMark, Mark, Point
-from ...foundation.patterns import pattern
 from ...problem.problem import Problem
+from ...problem.values.seen import Leaning, SetOff
 from .lines import AXIS, angle, span
 
-_OFF = (
-    r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along \$(\w)(\w)\$( produced backwards)? "
-    r"and ([\d.]+) mm to its (left|right)"
-)
-_TO_X = r"\$(\w)(\w)\$ is at ([−-]?[\d.]+)° to the \$x\$ axis"
-_GUIDE = r"the guide through \$(\w)\$ is at ([−-]?[\d.]+)° to the horizontal"
 _NEAR, _BESIDE, _SMALL = 0.5, 7.0, 0.02  # mm from the place that is told; mm from the bar to a dimension; rad
 
 
@@ -25,33 +19,37 @@ def set_off(problem: Problem, figure: Figure) -> Iterator[Mark]:
     """What words give by numbers stands there by its numbers; an angle of a link has its letter."""
     spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label}
     for datum in problem.given.data:
-        told = datum.of("en") if datum.words is not None else ""
-        for name, along, _, one, other, back, off, side in pattern(_OFF).findall(told):
-            if {name, one, other} <= set(spots):
-                sizes = float(along) * (-1 if back else 1), float(off) * (1 if side == "left" else -1)
-                yield from _beside(spots[one], spots[other], spots[name], sizes, 1e3 * figure.scale.value)
-        for at, _, size in pattern(_TO_X).findall(told):
-            yield from _from_horizontal(spots, at, size)
-        for at, size in pattern(_GUIDE).findall(told):
-            yield from _from_horizontal(spots, at, size)
+        match datum.seen:
+            case SetOff() as told:
+                yield from _beside(told, spots, figure.scale.value)
+            case Leaning() as told if told.at in spots and abs(told.turn) > _SMALL:
+                yield from angle(spots[told.at], told.turn, in_degrees(told.turn), AXIS)
+            case _:
+                pass
         if datum.symbol.startswith("φ_"):
             yield from _turned(problem, figure, datum.symbol, datum.si, spots)
 
 
-def _beside(a: complex, b: complex, at: complex, sizes: tuple[float, float], mm: float) -> Iterator[Mark]:
-    """The way along the bar and that square to it; mm: of the mechanism, for one on paper."""
+def in_degrees(turn: float) -> str:
+    """An angle as it stands in its arc, whichever way it is."""
+    return f"{abs(degrees(turn)):.6g}°"
+
+
+def _beside(told: SetOff, spots: Mapping[str, complex], mm: float) -> Iterator[Mark]:
+    """The way along the bar and that square to it; mm: of the mechanism, in m, for one on paper."""
+    if not {told.point, told.start, told.end} <= set(spots):
+        return
+    a, b, at = spots[told.start], spots[told.end], spots[told.point]
     way = (b - a) / abs(b - a)
-    foot = a + way * sizes[0] / mm
-    if abs(foot + 1j * way * sizes[1] / mm - at) < _NEAR:
-        other = -1j * way if sizes[1] > 0 else 1j * way
-        yield from span(a, foot, f"{abs(sizes[0]):g}", _BESIDE * other)
-        yield from span(foot, at, f"{abs(sizes[1]):g}")
+    foot = a + way * told.along / mm
+    if abs(foot + 1j * way * told.left / mm - at) < _NEAR:
+        other = -1j * way if told.left > 0 else 1j * way
+        yield from span(a, foot, _in_mm(told.along), _BESIDE * other)
+        yield from span(foot, at, _in_mm(told.left))
 
 
-def _from_horizontal(spots: Mapping[str, complex], at: str, size: str) -> Iterator[Mark]:
-    turn = radians(float(size.replace("−", "-")))
-    if at in spots and abs(turn) > _SMALL:
-        yield from angle(spots[at], turn, f"{size.lstrip('−-')}°", AXIS)
+def _in_mm(metres: float) -> str:
+    return f"{abs(1e3 * metres):.6g}"
 
 
 def _turned(problem: Problem, figure: Figure, symbol: str, turn: float, spots: Mapping[str, complex]) -> Iterator[Mark]:

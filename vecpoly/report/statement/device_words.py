@@ -65,7 +65,7 @@ _GUIDE = {
     "F1|F2": Words("两导轨的支承力", "load of the guide"),
     "N_flank": Words("V 形一侧的法向反力", "normal force on a flank of the V"),
     "f_vee": Words("V 形导轨的当量摩擦系数", "equivalent coefficient of the V guide"),
-    "F_f_.*": Words("一条导轨的摩擦力", "friction force of the guide"),
+    "F_f_.*": Words("各导轨的摩擦力", "friction force of the guide"),
     "F_f": Words("总摩擦力", "whole friction force"),
     "f_V": Words("整个导轨的当量摩擦系数", "equivalent coefficient of both guides"),
 }

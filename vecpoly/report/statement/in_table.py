@@ -57,14 +57,14 @@ def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable
     data = problem.given.data
     if isinstance(problem.subject, Device) and (found := _by_bodies(data, lang)) is not None:
         return found
-    scalars = {id(one): cells for one in data if (cells := _scalar(one, lang)) is not None}
+    scalars = {id(one): cells for one in data if (cells := scalar(one, lang)) is not None}
     if len(scalars) < _MANY:
         return data, None
     listing = Listing(head=tuple(Words.same(head.of(lang)) for head in _HEAD), rows=tuple(scalars.values()))
     return tuple(one for one in data if id(one) not in scalars), _abreast(listing, lang)
 
 
-def _scalar(one: Datum, lang: Lang) -> tuple[str, str, str] | None:
+def scalar(one: Datum, lang: Lang) -> tuple[str, str, str] | None:
     """Symbol, number (or a sum of numbers), unit of what is nothing but these; what has a sense beside them, or no one
     unit, stands in the line."""
     found = None if one.words is not None or one.table is not None else _SCALAR.fullmatch(shortened(one.of(lang)))

@@ -1,4 +1,4 @@
-"""The hodograph 端迹图 of a shaking force: its points on scratch paper, the farthest of them, the fraction that makes
+"""The hodograph 矢端曲线 of a shaking force: its points on scratch paper, the farthest of them, the fraction that makes
 that one nearest."""
 
 from __future__ import annotations

@@ -54,7 +54,7 @@ def shaking_scales(device: ShakingForce, given: Scales) -> Mapping[View, Scale]:
 @device_method(
     ShakingForce,
     title=Words(
-        "曲柄滑块机构惯性力的部分平衡（端迹图）", "Shaking force of a slider-crank: hodograph and counterweight"
+        "曲柄滑块机构惯性力的部分平衡（矢端曲线）", "Shaking force of a slider-crank: hodograph and counterweight"
     ),
     source="机械原理, balance of a slider-crank: two-mass rod, counterweight on the crank, hodograph of the force",
     example="engine-single",
@@ -142,7 +142,7 @@ def _orders(bench: Bench, device: ShakingForce, moving: Quantity) -> Orders:
 
 def _circles(bench: Bench, orders: Orders) -> View:
     board = bench.board
-    board.section(Words("惯性力的端迹图", "Hodograph of the shaking force"))
+    board.section(Words("惯性力的矢端曲线", "Hodograph of the shaking force"))
     place = HODOGRAPH
     board.step(
         Words(
@@ -171,7 +171,7 @@ def _fraction(bench: Bench, device: ShakingForce, orders: Orders) -> float:
         return device.c.si
     bench.board.step(
         Words(
-            "在草图上试取不同的 $c$，使端迹图上离 $O$ 最远的点最近：",
+            "在草图上试取不同的 $c$，使矢端曲线上离 $O$ 最远的点最近：",
             "On scratch paper try fractions $c$ until the farthest point of the hodograph is as near to $O$ as can be:",
         )
     )
@@ -229,7 +229,7 @@ def _over_a_turn(bench: Bench, device: ShakingForce, orders: Orders, place: View
     points = tip(trial_board(board), ideal, turns, c)
     board.step(
         Words(
-            "每隔 15° 重复，连成端迹图，它对称于气缸轴线（$360° − φ$ 处的力同样大）；"
+            "每隔 15° 重复，连成矢端曲线，它对称于气缸轴线（$360° − φ$ 处的力同样大）；"
             "离 $O$ 最远的点 $m$ 给出一周内最大的惯性力：",
             "Repeat every 15° and join the ends: the hodograph, symmetric about the line of the cylinder (the force is "
             "as large at $360° − φ$). Its point $m$ farthest from $O$ gives the largest force of the turn:",

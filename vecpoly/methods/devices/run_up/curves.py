@@ -24,7 +24,7 @@ from ..bench import Bench
 from .course import Course
 from .places import laid, pane, ticks
 from .scales import CHARACTERISTIC, INVERSE, SPEED
-from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN, head
+from .words import DRIVING, HEAD, INVERSES, INVERSES_AGAIN, SPEEDS, SPEEDS_AGAIN, head, then
 
 ROWS, ON_AXIS = 9, 1e-9  # rows of the table; mm
 
@@ -65,6 +65,8 @@ def inverse_curve(bench: Bench, device: RunUp, course: Course, shift: Reals) -> 
             board.join(place, foot, top, Role.CONSTRUCTION)
     board.hatch(place, outline, rising=True)
     board.plot(place, middle_of(outline), "A_y", Dot.NONE)
+    if course.name == "run":
+        board.plot(place, outline[1], "ω_1", Dot.NONE)
     parts = [summed(one.weights, ys) / across for one, ys in strips]
     true = summed([1.0] * len(parts), parts) + shift * tops[-1].imag / across
     _refuse_no_area(course, float(nominal(shift)), float(nominal(true)))
@@ -115,8 +117,8 @@ def speed_curve(
     board.hatch(place, outline, rising=True)
     board.plot(place, middle_of(outline), "A_φ", Dot.NONE)
     area = board.area(place, outline, "A_φ", curved=whole)
-    then = None if device.at is None else _then(bench, place, device, course, time, device.at.si)
-    return then, Timed(place=place, area=area, true=whole)
+    at_a_time = None if device.at is None else _then(bench, place, device, course, time, device.at.si)
+    return at_a_time, Timed(place=place, area=area, true=whole)
 
 
 def _then(bench: Bench, place: Pane, device: RunUp, course: Course, time: Quantity, at: float) -> Quantity:
@@ -131,6 +133,8 @@ def _then(bench: Bench, place: Pane, device: RunUp, course: Course, time: Quanti
     board.join(place, foot, point, Role.CONSTRUCTION)
     board.plot(place, foot, "H", Dot.NONE)
     board.plot(place, point, "P", Dot.POINT)
+    assert device.at is not None
+    board.remark(then(device.at.text))
     return board.measure(foot, point, "H P")
 
 

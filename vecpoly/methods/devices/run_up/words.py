@@ -23,10 +23,10 @@ HEAD = (
 )
 DRIVING, RESISTING = 1, 2  # the columns of M_d and M_r
 INVERSES = Words(
-    "由 $J dω/dt = ΔM$ 得 $t = J ∫ dω/ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，线下的面积即为所求的积分，"
-    "量得：",
-    "From $J dω/dt = ΔM$ follows $t = J ∫ dω/ΔM$. Take $ΔM$ off the characteristics, plot $y = 1/|ΔM|$ versus $ω$; the "
-    "area below it is the integral. It is measured:",
+    "由 $J$ d$ω$/d$t$ = $ΔM$ 得 $t$ = $J$ ∫ d$ω$/$ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，"
+    "线下的面积即为所求的积分，量得：",
+    "From $J$ d$ω$/d$t$ = $ΔM$ follows $t$ = $J$ ∫ d$ω$/$ΔM$. Take $ΔM$ off the characteristics, plot "
+    "$y = 1/|ΔM|$ versus $ω$; the area below it is the integral. It is measured:",
 )
 INVERSES_AGAIN = Words(
     "同样作 $y = 1/|ΔM|$ 随 $ω$ 变化的线图，量得线下的面积，求时间：",
@@ -84,8 +84,17 @@ def goal(device: RunUp, course: Course) -> Words:
     """Where the run-up ends."""
     share = 100 * device.share
     return Words(
-        f"起动计算到稳定转速的 {share:g} %，即 {number(course.goal)} rad/s。",
-        f" The run-up is followed to {share:g} % of it, {number(course.goal)} rad/s.",
+        f"起动计算到稳定转速的 {share:g} %，即 $ω_1$ = {number(course.goal)} rad/s。",
+        f" The run-up is followed to {share:g} % of it, $ω_1$ = {number(course.goal)} rad/s.",
+    )
+
+
+def then(at: str) -> Words:
+    """Where the speed at a given time is read."""
+    return Words(
+        f"在 $t$ 轴上取 $t_1$ = {at} 得 $H$，其正上方曲线上的点为 $P$，$HP$ 代表该时刻的角速度 $ω_t$。",
+        f" At $t_1$ = {at} on the axis of $t$ lies $H$, and $P$ on the curve right above it; $HP$ stands for the speed "
+        "$ω_t$ at that time.",
     )
 
 

@@ -24,7 +24,7 @@ _EXTREMES = {"zh": ["量", "最大值", "位置", "最小值", "位置"], "en": 
 _WEIGHTS = {"zh": ["构件", "支点", "$m_c r_c$ /(kg·m)", "方位"], "en": ["Link", "Pivot", "$m_c r_c$ /(kg·m)", "Where"]}
 
 _HODOGRAPH = Words(
-    "$F_I$ 的端迹图上，由极点到曲线的矢量即该位置的惯性力。",
+    "$F_I$ 的矢端曲线上，由极点到曲线的矢量即该位置的惯性力。",
     "In the hodograph the vector from the pole to the curve is the force at that position.",
 )
 _FLAT, _NOTHING = 0.12, 1e-9  # of the larger component: a hodograph so low is a line; rounding

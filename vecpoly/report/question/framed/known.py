@@ -33,6 +33,7 @@ _HELP = (Role.CONSTRUCTION, Role.DIRECTION)
 NEAR = 1e-6  # mm
 _CIRCLE = 25.0  # mm, radius of the circle on which the numbers of the links stand
 HALF_BLOCK = 6.0  # mm: more than a guide lies beside the line of its block
+_BRACES = str.maketrans("", "", "{}")  # of a symbol: C_{1} is the point C_1
 DIGITS = "0123456789°"  # with which the numbers along an axis end
 
 
@@ -45,13 +46,19 @@ def by_data(acts: tuple[Act, ...]) -> frozenset[int]:
     return frozenset(act.number for act in acts if act.number not in found)
 
 
-def given(construction: Construction, figure: Figure) -> tuple[Mark, ...]:
-    """What the first step that draws anything given leaves on a figure: fixed pivots, positions, angles."""
+def given(construction: Construction, figure: Figure, problem: Problem) -> tuple[Mark, ...]:
+    """What the first step that draws anything given leaves on a figure: fixed pivots, positions, angles; and points by
+    the names of the data, whenever they are drawn."""
+    named = {datum.symbol.translate(_BRACES) for datum in problem.given.data}
     known = by_data(construction.acts)
     marks = [mark for mark in figure.marks if mark.act in known]
     places = [mark.at for mark in marks if isinstance(mark, Point)]
     first = min((mark.step for mark in marks if isinstance(mark, Point)), default=0)
-    return tuple(mark for mark in marks if mark.step == first and _stands(mark, places))
+    return tuple(
+        mark
+        for mark in marks
+        if (mark.step == first and _stands(mark, places)) or (isinstance(mark, Point) and mark.label in named)
+    )
 
 
 def _stands(mark: Mark, places: list[complex]) -> bool:
@@ -78,7 +85,7 @@ def stands(construction: Construction, figure: Figure, problem: Problem) -> tupl
     found = tuple(mark for mark in figure.marks if isinstance(mark, (Ground, FixedGuide)))
     if not isinstance(problem.subject, Design):
         return found
-    told = given(construction, figure)
+    told = given(construction, figure, problem)
     lines = [mark for mark in told if isinstance(mark, Segment)]
     guides = (_along(mark, lines) for mark in found if isinstance(mark, FixedGuide))
     pivots = (mark for mark in found if isinstance(mark, Ground) and mark in told)

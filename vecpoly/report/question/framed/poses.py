@@ -11,7 +11,9 @@ from ....designs.grashof import Grashof
 from ....designs.inversion.angle_pairs import AnglePairs
 from ....designs.inversion.positions import Positions
 from ....designs.inversion.stages import Stages
+from ....designs.limit_lines import LimitLines
 from ....problem.problem import Problem
+from ...sizes.limits import lines_of_limits
 
 _SHOWN = (Role.GIVEN, Role.HIDDEN)
 
@@ -23,6 +25,8 @@ def poses(problem: Problem, told: Sequence[Mark]) -> tuple[Mark, ...]:
         case Positions() | Stages() | AnglePairs() | FunctionGenerator(function=None):
             pivots = [mark.at for mark in told if isinstance(mark, Ground)]
             return tuple(mark for mark in told if _shown(mark, pivots))
+        case LimitLines() as subject:
+            return (*(mark for mark in told if isinstance(mark, Point)), *lines_of_limits(subject, told))
         case Grashof():  # the sums of lengths begin here
             return tuple(mark for mark in told if isinstance(mark, Point) and mark.label[:1] == "O")
         case _:

@@ -1,7 +1,7 @@
 """The lines for what is read off a figure: one with its name for each quantity that is asked, l_AB = ___ mm × μ_l =
-___ m, for μ_l is in m/mm; of what is computed and then laid off, as a Coriolis acceleration, the other way round,
-a^k = ___ m/s² = ___ mm × μ_a; where there is no room for that the length on paper alone, then none: the results have a
-table. What is read on the way has its place there, or in the squares."""
+___ mm, in the unit of the data and of the table of results; of what is computed and then laid off, as a Coriolis
+acceleration, the other way round, a^k = ___ m/s² = ___ mm × μ_a; where there is no room for that the length on paper
+alone, then none: the results have a table. What is read on the way has its place there, or in the squares."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _ROOM, _LONGEST, _BEHIND = 16.0, 40.0, 0.5  # mm for a number to be written: at 
 _MOST = 4  # lines in full
 _APART = 5.0  # mm between two quantities on a line
 _DEGREE = "°"
-_UNITS = {"deg": _DEGREE, "mm": "m"}  # where not as printed: mm on paper times a scale in m/mm are metres
+_UNITS = {"deg": _DEGREE}  # where not as printed
 AWAY = "^{∞}"  # of a centre, which tells where it lies
 
 

@@ -1,0 +1,74 @@
+"""What words say of places a sketch has as data: the same letters, the same numbers; no sketch reads the words."""
+
+from __future__ import annotations
+
+import re
+from math import degrees
+from pathlib import Path
+
+import pytest
+
+import vecpoly.report.sizes
+from tests.drawn_library import LIBRARY, given
+from tests.each import each
+from vecpoly.problem.values.given import Datum
+from vecpoly.problem.values.seen import Counted, Leaning, OffItsGuide, Round, SetOff
+
+OFF = re.compile(
+    r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along \$(\w)(\w)\$( produced backwards)? "
+    r"and ([\d.]+) mm to its (left|right)"
+)
+LEANS = re.compile(r"(?:\$(\w)\w\$|the guide through \$(\w)\$) is at ([−-]?[\d.]+)° to the (?:\$x\$ axis|horizontal)")
+TO_GUIDE = re.compile(r"\$(\w)(\w)\$ is at (−?[\d.]+)° to the guide of link (\w+)")
+COUNTS = re.compile(r"\$s_(\w)\$ counts (to the right|upwards) from the")
+ROUND = re.compile(r"\$(r(?:_\w)?)\$ = ([\d.]+) mm")
+
+
+def said(text: str) -> float:
+    return float(text.replace("−", "-"))
+
+
+def told(datum: Datum) -> object:
+    """What the English words say."""
+    words = datum.of("en") if datum.words is not None and not datum.symbol else ""
+    if found := OFF.search(words):
+        point, along, start, _, end, back, off, side = found.groups()
+        return point, start, end, said(along) * (-1 if back else 1), said(off) * (1 if side == "left" else -1)
+    if found := LEANS.search(words):
+        return found[1] or found[2], said(found[3])
+    if found := TO_GUIDE.search(words):
+        return found[1], found[2], found[4], said(found[3])
+    if found := COUNTS.search(words):
+        return found[1], found[2] == "upwards"
+    if found := ROUND.search(words):
+        return found[1], said(found[2])
+    return None
+
+
+def seen(datum: Datum) -> object:
+    """The same of the data."""
+    match datum.seen:
+        case SetOff(point=point, start=start, end=end, along=along, left=left):
+            return point, start, end, pytest.approx(1e3 * along), pytest.approx(1e3 * left)
+        case Leaning(at=at, turn=turn):
+            return at, pytest.approx(degrees(turn))
+        case OffItsGuide(at=at, end=end, link=link, turn=turn):
+            return at, end, link, pytest.approx(degrees(turn))
+        case Counted(link=link, upright=upright):
+            return link, upright
+        case Round(symbol=symbol, radius=radius):
+            return symbol, pytest.approx(1e3 * radius)
+    return None
+
+
+@each(LIBRARY)
+def test_what_words_say_of_places_is_handed_to_the_sketch_as_data(name: str) -> None:
+    for datum in given(name).given.data:
+        assert told(datum) == seen(datum), datum.of("en")
+
+
+def test_no_file_of_the_sizes_of_mechanisms_looks_into_english_words() -> None:
+    folder = Path(next(iter(vecpoly.report.sizes.__path__)))
+    for path in folder.glob("*.py"):
+        text = path.read_text(encoding="utf-8")
+        assert '.of("en")' not in text and "words.en" not in text, path.name
