@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tests.drawn_library import drawn, ids
 from tests.each import Later, each
+from tests.found import FOUND
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Dot, Point, RightAngle, Role, Segment, Vector
 
@@ -15,7 +16,7 @@ GROUPS = (
     "C-inertia",
     "two-trains-one-sun",
 )  # with arms on free bodies of whole groups
-IDS = Later(lambda: (*ids(view=View.BODY), *(name for name in GROUPS if name not in ids(view=View.BODY))))
+IDS = Later(lambda: (*ids(view=View.BODY), *FOUND, *(name for name in GROUPS if name not in ids(view=View.BODY))))
 NEAR, ON = 0.02, 1e-3  # mm, of a mark from where it belongs; of a place from the line on which it lies
 PAST = 2.0  # mm: so far a line that is carried on to an arm is seen beyond it
 Line = tuple[complex, complex]
