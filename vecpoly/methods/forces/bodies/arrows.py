@@ -39,7 +39,7 @@ class Arrow:
     far: bool = False  # not at its point but farther out on the line
     presses: bool = False  # ends at its point, or on the line before it
     amiss: bool = False  # pulling though a neighbour can only press, or otherwise than on the kinematic diagram
-    hidden: bool = False  # on a bar, of which there is no end to set it past
+    hidden: bool = False  # on an arrow that stands there, or on a bar of which there is no end to set it past
 
     @property
     def key(self) -> str:
@@ -64,7 +64,7 @@ def place_arrows(
         return []
     largest = max(abs(complex(nominal(f.vector))) for f in shown)
     options = [
-        [_off_bars(one, bars) for one in _options(f, largest, _rather(f.named.symbol, pressing, pulling))]
+        [_off_bars(one, bars, standing) for one in _options(f, largest, _rather(f.named.symbol, pressing, pulling))]
         for f in shown
     ]
     body = np.array(
@@ -76,7 +76,9 @@ def place_arrows(
     freest, places = _freest(options, body), [complex(nominal(f.at)) for f in shown]
     for i, at in enumerate(places):
         if freest[i].far:
-            freest[i] = _closer(freest[i], at, [one for k, one in enumerate(freest) if k != i], body, bars)
+            freest[i] = _closer(
+                freest[i], at, [one for k, one in enumerate(freest) if k != i], body, [*bars, *standing]
+            )
     return freest
 
 
@@ -138,8 +140,10 @@ def _options(force: Acting, largest: float, presses: bool | None) -> tuple[Arrow
     )
 
 
-def _off_bars(arrow: Arrow, bars: Sequence[Bar]) -> Arrow:
+def _off_bars(arrow: Arrow, bars: Sequence[Bar], standing: Sequence[Bar]) -> Arrow:
     """The same farther out, past the bar on which it lies: one that ends at its point the way it comes from."""
+    if is_hidden(arrow.start, arrow.end, standing):
+        return replace(arrow, hidden=True)
     way = (arrow.end - arrow.start) / abs(arrow.end - arrow.start)
     out = -way if arrow.presses else way
     if not is_hidden(arrow.start, arrow.end, bars):
