@@ -94,7 +94,7 @@ def _owners(options: Sequence[Sequence[_Spot]]) -> NDArray[np.int64]:
 def _overlap(boxes: Boxes) -> NDArray[np.bool_]:
     """Which letters stand too near to which others."""
     low, high = boxes[:, None, :2] - APART, boxes[:, None, 2:] + APART
-    met: NDArray[np.bool_] = ((low < boxes[:, 2:]) & (boxes[:, :2] < high)).all(axis=2)
+    met: NDArray[np.bool_] = np.all((low < boxes[:, 2:]) & (boxes[:, :2] < high), axis=2)
     return met
 
 
