@@ -10,7 +10,9 @@ from typing import Any, TypeVar
 
 import pytest
 
+from tests.found import FOUND
 from tests.laws import few
+from vecpoly import loads
 from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.model import Mechanism
@@ -50,8 +52,8 @@ class Drawn:
 
 @cache
 def given(name: str) -> Problem:
-    """The problem of this id, read once."""
-    return load(name)
+    """The problem of this id, or the member that was found by lot, read once."""
+    return loads(FOUND[name]) if name in FOUND else load(name)
 
 
 @cache

@@ -9,6 +9,7 @@ import pytest
 from tests.drawn_library import DRAFTED, IDS, drawn
 from tests.drawn_sheets import laid
 from tests.each import each
+from tests.found import FOUND
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import (
     AngleMark,
@@ -76,7 +77,7 @@ def _unexplained(name: str) -> Iterator[tuple[str, Mark]]:
                 yield figure.view.name, mark
 
 
-@each(IDS)
+@each([*IDS, *FOUND])
 def test_every_line_and_sign_of_a_figure_has_an_entry_or_is_one_of_the_standards(name: str) -> None:
     assert not [*_unexplained(name)]
 

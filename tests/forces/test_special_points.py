@@ -65,7 +65,7 @@ def test_about_the_special_point_two_reactions_have_no_moment() -> None:
     """S is where the legs EH and GD meet; ΣM_S leaves R^n_13 alone, as the step says."""
     solution = exact_hand(BARS.replace("  M_5: {on: 5, size: -3 N*m}\n", ""))
     told = [step.words.en for step in solution.construction.steps]
-    assert any("$ΣM_S$ = 0 of the whole group gives that of link 3" in text for text in told)
+    assert any("$ΣM_S$ = 0 of the whole group gives $R^n_{13}$" in text for text in told)
     forces = solution.as_json()["forces"]
     places = {key: complex(*one["point"]) for key, one in forces.items() if "point" in one}
     ways = {key: solution.answers[key].drawn_vector for key in ("R_56", "R_14")}

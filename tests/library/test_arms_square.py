@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tests.drawn_library import drawn, ids
 from tests.each import Later, each
+from tests.found import FOUND
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Dot, Point, RightAngle, Role, Segment, Vector
 
@@ -15,7 +16,7 @@ GROUPS = (
     "C-inertia",
     "two-trains-one-sun",
 )  # with arms on free bodies of whole groups
-IDS = Later(lambda: (*ids(view=View.BODY), *(name for name in GROUPS if name not in ids(view=View.BODY))))
+IDS = Later(lambda: (*ids(view=View.BODY), *FOUND, *(name for name in GROUPS if name not in ids(view=View.BODY))))
 NEAR, ON = 0.02, 1e-3  # mm, of a mark from where it belongs; of a place from the line on which it lies
 PAST = 2.0  # mm: so far a line that is carried on to an arm is seen beyond it
 Line = tuple[complex, complex]
@@ -44,15 +45,18 @@ def square(figure: Figure, arm: Line) -> list[complex]:
 
 
 def beyond(figure: Figure, arm: Line, foot: complex) -> float:
-    """How far (mm) a line square to the arm that passes through its foot goes on beyond it; −1 where there is none."""
+    """How far (mm) the line square to the arm on which it ends goes on beyond its foot, to that side where it is
+    shorter: all that is drawn of it there, a line and the arrow from which it is carried on; −1 where there is none."""
     across = 1j * (arm[1] - arm[0]) / abs(arm[1] - arm[0])
-    found = -1.0
+    reach, covered = [0.0, 0.0], False
     for m in figure.marks:
         if isinstance(m, Segment | Vector) and abs(m.b - m.a) > ON:
             a, b = ((z - foot) / across for z in (m.a, m.b))
-            if max(abs(a.imag), abs(b.imag)) < ON and min(a.real, b.real) < ON and max(a.real, b.real) > -ON:
-                found = max(found, min(abs(a), abs(b)))
-    return found
+            low, high = sorted((a.real, b.real))
+            if max(abs(a.imag), abs(b.imag)) < ON and low < PAST and high > -PAST:
+                covered |= low < ON and high > -ON
+                reach = [max(reach[0], -low), max(reach[1], high)]
+    return min(reach) if covered else -1.0
 
 
 @each(IDS)

@@ -16,16 +16,17 @@ from tests.label_faults import faults
 from vecpoly.board.construction import Construction, EquationTable, Step
 from vecpoly.board.paper.marks import Vector
 from vecpoly.board.paper.tones import key_of, known_as
-from vecpoly.drawing.figure import Drawing
+from vecpoly.drawing.figure import Bare, Drawing
 from vecpoly.drawing.hues import hue_of
 from vecpoly.drawing.inset.chain import chain_of
 from vecpoly.drawing.inset.inset import EDGE, MANY, SHARE, Outline, inset
+from vecpoly.drawing.inset.letters import lettered
 from vecpoly.drawing.scene import Fill, Layer, Scene, Stroke, TextBox
 from vecpoly.drawing.style import Hue
 from vecpoly.foundation.slotted import replace
 from vecpoly.report.flow.results.illustrated import HIGH, WIDE
 
-KNOTS: set[tuple[str, int]] = set()  # legible, and still without a place for every letter
+SIZES = (1.0, 0.95, 0.9, 0.85, 0.8, 0.75)  # of the largest for which there is room, less the letters
 SMALLEST = 7.0 / 72.0 * 25.4  # mm: letters of 7 pt
 CORNERS = 4  # of an arrow's head, at most
 
@@ -123,11 +124,28 @@ def test_it_fits_its_place_and_its_letters_are_seven_points_high(name: str) -> N
 
 
 @each(Later(lambda: [name for name in TAKEN if any(unlettered(name))]))
-def test_only_a_polygon_with_something_too_small_to_be_seen_has_none(name: str) -> None:
+def test_only_a_polygon_too_small_to_be_seen_or_without_room_for_all_its_letters_has_none(name: str) -> None:
     for step, outline in unlettered(name):
         wide, high = WIDE / SHARE - 2 * EDGE, HIGH / SHARE - 2 * EDGE
         factor = min(wide / max(outline.extent.width, 1e-6), high / max(outline.extent.height, 1e-6))
-        assert not outline.is_legible(0.75 * factor) or (name, step.number) in KNOTS, step.number
+        legible = [size * factor for size in SIZES] if outline.is_legible(SIZES[-1] * factor) else []
+        assert not any(has_room(outline, size) for size in legible), step.number
+
+
+def has_room(outline: Outline, factor: float) -> bool:
+    """Whether all letters of a polygon of this size have a place, and all of it lies within its own."""
+    figure, corners = outline.at(factor)
+    bare = Bare.of(figure, "zh")
+    letters = lettered(bare, corners)
+    if letters is None:
+        return False
+    own = Scene.of(bare.items + tuple(item for one in letters for item in one.items())).extents
+    return SHARE * own.width <= WIDE and SHARE * own.height <= HIGH
+
+
+def test_letters_that_take_each_other_s_places_are_placed_together() -> None:
+    found = insets("letters-in-each-other-s-way")
+    assert {step.number for step, _, _ in found} == {6}
 
 
 def unlettered(name: str) -> Iterator[tuple[Step, Outline]]:

@@ -6,6 +6,7 @@ import re
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
+from tests.found import FOUND
 from tests.pocket import sums
 from vecpoly.algebra.formula import plain
 from vecpoly.algebra.rounding import read_back
@@ -13,7 +14,7 @@ from vecpoly.algebra.rounding import read_back
 SAME = 0.02  # share by which a value found in two ways may differ, by drawing and by formula
 
 
-@each(IDS)
+@each([*IDS, *FOUND])
 def test_a_symbol_has_one_value_wherever_it_is_evaluated(name: str) -> None:
     found: dict[tuple[str, str], tuple[float, str]] = {}
     for step in drawn(name).construction.steps:
@@ -27,7 +28,7 @@ def test_a_symbol_has_one_value_wherever_it_is_evaluated(name: str) -> None:
             assert abs(before - size) <= SAME * max(before, size), f"{text}; {line}"
 
 
-@each(IDS)
+@each([*IDS, *FOUND])
 def test_an_angle_that_is_read_has_a_symbol_of_its_own_in_each_solution(name: str) -> None:
     found: dict[str, str] = {}
     for step in drawn(name).construction.steps:

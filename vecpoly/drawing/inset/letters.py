@@ -20,6 +20,7 @@ CLEAR, ROOMS = 0.6, (1.0, 1.6)  # mm of the sheet that a letter keeps of every l
 APART = 1.5  # mm between two letters, and to a corner that it does not name
 WAYS, GAPS = 16, (0.5, 1.4, 2.6)  # about a corner; mm beside it
 NARROW, OUTWARD, FARTHER, OFF_MIDDLE = 1.0, 0.7, 0.6, 0.15  # what a place costs, and what it gains
+SEARCHED = 500  # places that are tried where letters are in each other's way
 _ROUND, _SOME = 8, 4  # of a circle so many points will do
 _SOFT = 1.6  # how soon a letter stands square beside its corner
 
@@ -44,14 +45,57 @@ def lettered(bare: Bare, corners: Sequence[complex]) -> tuple[Placed, ...] | Non
     """All letters of the figure in places where they touch nothing; None where one of them finds none."""
     lines, wide = _lines(bare.items)
     options = [_free(want, lines, wide, corners) for want in bare.wanted]
+    ordered = sorted((sorted(some, key=lambda spot: spot.cost) for some in options), key=len)
+    return _in_turn(ordered) or _searched(ordered)
+
+
+def _in_turn(options: Sequence[Sequence[_Spot]]) -> tuple[Placed, ...] | None:
+    """Each letter in its best place that those before leave free."""
     placed: list[Placed] = []
-    for some in sorted(options, key=len):
-        free = (one.placed for one in sorted(some, key=lambda spot: spot.cost))
+    for some in options:
+        free = (one.placed for one in some)
         found = next((one for one in free if _stands_alone(one.rect, placed)), None)
         if found is None:
             return None
         placed.append(found)
     return tuple(placed)
+
+
+def _searched(options: Sequence[Sequence[_Spot]]) -> tuple[Placed, ...] | None:
+    """Where that leaves none for a later one: always the letter with the fewest places next, and back to one before
+    where another has none left."""
+    spots, owner = [one for some in options for one in some], _owners(options)
+    boxes = np.array([(r.x0, r.y0, r.x1, r.y1) for r in (one.placed.rect for one in spots)]).reshape(-1, 4)
+    met = _overlap(boxes) | (owner[:, None] == owner)
+    steps = iter(range(SEARCHED))
+
+    def rest(free: NDArray[np.bool_], left: frozenset[int]) -> tuple[int, ...] | None:
+        if not left:
+            return ()
+        counts = {letter: int(free[owner == letter].sum()) for letter in left}
+        letter = min(left, key=lambda one: (counts[one], one))
+        for spot in np.flatnonzero(free & (owner == letter)).tolist() if counts[letter] else ():
+            if next(steps, None) is None:
+                return None
+            found = rest(free & ~met[spot], left - {letter})
+            if found is not None:
+                return (spot, *found)
+        return None
+
+    chosen = rest(np.ones(len(spots), dtype=bool), frozenset(range(len(options))))
+    return None if chosen is None else tuple(spots[spot].placed for spot in chosen)
+
+
+def _owners(options: Sequence[Sequence[_Spot]]) -> NDArray[np.int64]:
+    """Of each place the number of its letter."""
+    return np.repeat(np.arange(len(options)), [len(some) for some in options])
+
+
+def _overlap(boxes: Boxes) -> NDArray[np.bool_]:
+    """Which letters stand too near to which others."""
+    low, high = boxes[:, None, :2] - APART, boxes[:, None, 2:] + APART
+    met: NDArray[np.bool_] = np.all((low < boxes[:, 2:]) & (boxes[:, :2] < high), axis=2)
+    return met
 
 
 def _stands_alone(rect: Rect, others: Iterable[Placed]) -> bool:

@@ -8,7 +8,6 @@ from ...board.construction import Figure, View
 from ...board.paper.marks import Arc, Curve, Disc, Dot, Mark, Outline, Plate, Point, Role, Segment, Vector
 from .letters import is_of_cam, is_of_curvature
 
-_FORCES = frozenset("FRQGNTWC")  # first letters of a force's symbol
 _PLACES = ("alpha_rise", "alpha_return", "rho_min")  # of a cam, each with a figure of its own
 _LONG = 1.5  # rad: a circle of which no more is drawn is where something meets
 _MASSES = ("mass", "trial", "crank", "counterweight")  # whose bodies on a rotor are masses
@@ -172,9 +171,10 @@ def is_flow(figure: Figure, mark: Mark) -> bool:
 
 
 def is_force(figure: Figure, mark: Mark) -> bool:
-    """Whether it is a force where it acts, on a link or on the mechanism."""
+    """Whether it is a force where it acts, on a link or on the mechanism: whatever it is called, motions are in small
+    letters."""
     acts = figure.view.bodies or figure.view is View.MECHANISM
-    named = isinstance(mark, Vector) and (mark.label[:1] in _FORCES or mark.label == "mg")
+    named = isinstance(mark, Vector) and (mark.label[:1].isupper() or mark.label == "mg")
     return named and acts and not of_rotor(figure) and getattr(mark, "role", None) in (Role.GIVEN, Role.RESULT)
 
 

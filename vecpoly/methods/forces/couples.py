@@ -34,6 +34,14 @@ def couples_on(st: Statics, link: str, *, within: Collection[str] = ()) -> Itera
             yield slide_couple(force.named.symbol), force.couple
 
 
+def every_couple(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
+    """These couples, and those of friction in pins."""
+    yield from couples_on(st, link)
+    for (by, on), couple in st.couples.items():
+        if on == link:
+            yield f"M_{{f{st.mech.number(by)}{st.mech.number(on)}}}", couple
+
+
 def pin_couples(st: Statics, groups: tuple[Group, ...]) -> dict[tuple[str, str], Reals]:
     """Friction couples (N·m) of the pins of groups that were solved by moments: ρ R against the relative turning."""
     found: dict[tuple[str, str], Reals] = {}

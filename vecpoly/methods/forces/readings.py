@@ -19,6 +19,7 @@ from ...words import Words
 from .acting import NO_LETTER, Acting, Drawn
 from .state import Statics
 
+SAME = 1e-6  # mm: shorter vectors are not drawn
 _SIDE = {1: "ccw", -1: "cw", 0: ""}
 
 
@@ -81,10 +82,27 @@ def keep_measured(st: Statics, named: Named, drawn: Drawn, sign: int = 1) -> Rea
     return value
 
 
+def say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
+    """Which reactions are measured, and which are zero since the letters of their ends coincide."""
+    none = [(name, drawn) for name, drawn in sides if abs(complex(nominal(drawn.end - drawn.start))) < SAME]
+    names = [name for name, drawn in sides if (name, drawn) not in none]
+    if names:
+        st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
+    if none:
+        first, last = none[0][1].letters.split()
+        zeros = "".join(f"${name}$ = " for name, _ in none)
+        why = (
+            Words("", "")
+            if first == last
+            else Words(f"${first}$ 与 ${last}$ 重合，故 ", f" Points ${first}$ and ${last}$ coincide, so")
+        )
+        st.board.remark(why + Words(f"{zeros}0。", f" {zeros}0."))
+
+
 def write_sizes(st: Statics, *forces: Acting) -> None:
     """R = μ_F × length on the polygon, written into the step."""
     for force in forces:
-        if force.drawn is not None:
+        if force.drawn is not None and abs(complex(nominal(force.drawn.end - force.drawn.start))) > SAME:
             st.board.write_worked(sym(force.named.symbol), measured(st, force.drawn), "N")
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ....board.construction import Pane, View
-from ....diagram.single import rail
+from ....diagram.owners import FIXED
+from ....diagram.single import number, rail
 from ....plane import Points, nominal
 from ..bench import Bench
 from ..inclined import between, body, haul, numbered, ray
@@ -35,7 +36,8 @@ def sketch(bench: Bench, along: Points, force: Points) -> None:
     side = draw_drive(bench, view, middle, along, force)
     haul(bench, view, middle, -1j, "Q", 20.0)
     ray(bench, view, middle, side, 24.0)
-    numbered(bench, view, (middle - along * 0.32 * LONG, "1"), (along * (PLANE - 4) - 4j, "2"))
+    numbered(bench, view, (middle - along * 0.32 * LONG, "1"))
+    bench.board.depict(view, number("2", along * (PLANE - 4) - 4j, owner=FIXED))  # the plane, which is the frame
     between(bench, view, middle, side, side * force, 15.0, "β")
 
 

@@ -14,13 +14,15 @@ from ....plane import nominal
 from ....words import Words
 from ..acting import Acting
 from ..state import Statics
-from .bars import Bar, past_bars
+from .bars import LEAN, MOST, ON, Bar, is_hidden, past_bars
 
 LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
 CLEAR = 6.0  # mm between arrows: more is not better
 PULL = 4.0  # mm of clearness that an arrow must gain to be drawn otherwise than it should be
+COVERED, HIDDEN = 15.0, 40.0  # mm: the same to lie on another arrow, or on a bar, where it is not seen
 REACH = 80.0  # mm: a line of action farther from the body is off the paper
-MANY = 10  # arrows that are tried in all their places together; the number of these doubles with each arrow
+FEW, MANY = 6, 10  # arrows that are tried in all their places together, and those in their places at the point
+NEAR = 2  # places at the point; the others are farther out
 ROUNDS = 5
 GAP = 1.5  # mm between an arrow's point and the pin
 LEAST_AWAY, STANDS = 8.0, 4.0  # mm: of an arrow farther out from its point, from all else
@@ -37,6 +39,7 @@ class Arrow:
     far: bool = False  # not at its point but farther out on the line
     presses: bool = False  # ends at its point, or on the line before it
     amiss: bool = False  # pulling though a neighbour can only press, or otherwise than on the kinematic diagram
+    hidden: bool = False  # on an arrow that stands there, or on a bar of which there is no end to set it past
 
     @property
     def key(self) -> str:
@@ -51,15 +54,17 @@ def place_arrows(
     pulling: Collection[str] = (),
     *,
     bars: Sequence[Bar] = (),
+    standing: Sequence[Bar] = (),
 ) -> list[Arrow]:
-    """All arrows of one body, as far from each other and from the body as their lines allow, and on none of its bars;
-    `pressing`: those that rather end at their point; `pulling`: those that rather begin there."""
+    """All arrows of one body, as far from each other, from those that stand there and from the body as their lines
+    allow, and on none of its bars; `pressing`: those that rather end at their point; `pulling`: those that rather
+    begin there."""
     shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
     if not shown:
         return []
     largest = max(abs(complex(nominal(f.vector))) for f in shown)
     options = [
-        [_off_bars(one, bars) for one in _options(f, largest, _rather(f.named.symbol, pressing, pulling))]
+        [_off_bars(one, bars, standing) for one in _options(f, largest, _rather(f.named.symbol, pressing, pulling))]
         for f in shown
     ]
     body = np.array(
@@ -67,25 +72,28 @@ def place_arrows(
         if len(points) == 1
         else [a + (b - a) * t for a in points for b in points for t in (0.0, 0.25, 0.5, 0.75, 1.0)]
     )
-    if len(shown) > 6:
-        options = [pair[:2] for pair in options]
+    body = np.concatenate([body, *(a + (b - a) * ALONG[1:] for a, b in standing)])
     freest, places = _freest(options, body), [complex(nominal(f.at)) for f in shown]
     for i, at in enumerate(places):
         if freest[i].far:
-            freest[i] = _closer(freest[i], at, [one for k, one in enumerate(freest) if k != i], body)
+            freest[i] = _closer(
+                freest[i], at, [one for k, one in enumerate(freest) if k != i], body, [*bars, *standing]
+            )
     return freest
 
 
-def _closer(arrow: Arrow, at: complex, others: Sequence[Arrow], body: np.ndarray) -> Arrow:
-    """One that stands farther out on its line as near to its point as the others and the body leave it free."""
+def _closer(arrow: Arrow, at: complex, others: Sequence[Arrow], body: np.ndarray, bars: Sequence[Bar] = ()) -> Arrow:
+    """One that stands farther out on its line as near to its point as the others and the body leave it free, and past
+    the bars still."""
     near = min(arrow.start, arrow.end, key=lambda z: abs(z - at))
     away, out = abs(near - at), (near - at) / abs(near - at)
     taken = np.concatenate([body, *(one.start + (one.end - one.start) * ALONG for one in others)])
     shaft = (arrow.start + (arrow.end - arrow.start) * ALONG)[:, None]
     free = min(STANDS, float(np.abs(shaft - taken).min()))
     for less in np.arange(away - LEAST_AWAY, 0.0, -1.0):
-        if np.abs(shaft - less * out - taken).min() >= free - 1e-9:
-            return replace(arrow, start=arrow.start - less * out, end=arrow.end - less * out)
+        start, end = arrow.start - less * out, arrow.end - less * out
+        if np.abs(shaft - less * out - taken).min() >= free - 1e-9 and not is_hidden(start, end, bars):
+            return replace(arrow, start=start, end=end)
     return arrow
 
 
@@ -132,16 +140,23 @@ def _options(force: Acting, largest: float, presses: bool | None) -> tuple[Arrow
     )
 
 
-def _off_bars(arrow: Arrow, bars: Sequence[Bar]) -> Arrow:
+def _off_bars(arrow: Arrow, bars: Sequence[Bar], standing: Sequence[Bar]) -> Arrow:
     """The same farther out, past the bar on which it lies: one that ends at its point the way it comes from."""
+    if is_hidden(arrow.start, arrow.end, standing):
+        return replace(arrow, hidden=True)
     way = (arrow.end - arrow.start) / abs(arrow.end - arrow.start)
     out = -way if arrow.presses else way
+    if not is_hidden(arrow.start, arrow.end, bars):
+        return arrow
     by = past_bars(arrow.start, arrow.end, out, bars)
-    return replace(arrow, start=arrow.start + by * out, end=arrow.end + by * out, far=True) if by else arrow
+    if not by:
+        return replace(arrow, hidden=True)
+    return replace(arrow, start=arrow.start + by * out, end=arrow.end + by * out, far=True)
 
 
 def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]:
-    """One option of each force, so that the middles and far ends of the arrows are as free as can be."""
+    """One option of each force, so that the middles and far ends of the arrows are as free as can be, and none lies
+    on another."""
     flat = [arrow for pair in options for arrow in pair]
     places = np.array([((a.start + a.end) / 2, a.start, a.end) for a in flat]).T
     middle, *ends = np.abs(places[..., None] - body).min(axis=2)  # mm to the body
@@ -150,26 +165,42 @@ def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]
     # of each arrow's middle to the middle and far end of another
     apart = np.abs(places[0, :, None, None] - np.stack([places[0], far])).min(axis=1)
     np.fill_diagonal(apart, np.inf)
-    cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.amiss else 0.0) for arrow in flat])
+    cost = np.array([CLEAR * one.far + PULL * one.amiss + HIDDEN * one.hidden for one in flat])
+    covers = _covers(places[1], places[2])
 
     def freedom(choices: np.ndarray) -> np.ndarray:
-        between = apart[choices[:, :, None], choices[:, None, :]].min(axis=2)
-        clear = np.minimum(np.minimum(between, alone[choices]), CLEAR)
-        return np.asarray((clear - cost[choices]).sum(axis=1))
+        pairs = choices[:, :, None], choices[:, None, :]
+        clear = np.minimum(np.minimum(apart[pairs].min(axis=2), alone[choices]), CLEAR)
+        return np.asarray((clear - cost[choices] - COVERED * covers[pairs].any(axis=2)).sum(axis=1))
 
     counts = [len(pair) for pair in options]
     starts = np.cumsum([0, *counts[:-1]])
-    if len(options) > MANY:
-        best = _one_by_one(starts, counts, freedom)
-    else:
-        choices = starts + np.indices(counts).reshape(len(counts), -1).T
+    best = starts
+    if len(counts) <= MANY:
+        tried = counts if len(counts) <= FEW else [NEAR] * len(counts)
+        choices = starts + np.indices(tried).reshape(len(counts), -1).T
         best = choices[int(np.argmax(freedom(choices)))]
+    if len(counts) > FEW:
+        best = _one_by_one(best, starts, counts, freedom)
     return [flat[i] for i in best]
 
 
-def _one_by_one(starts: np.ndarray, counts: Sequence[int], freedom: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+def _covers(start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Which arrows lie on which others, for a good part of their length."""
+    way = (end - start) / np.abs(end - start)
+    shaft = start[:, None] + (end - start)[:, None] * ALONG
+    on = (shaft[:, None, :] - start[None, :, None]) / way[None, :, None]
+    share = ((on.real > 0.0) & (on.real < np.abs(end - start)[None, :, None]) & (np.abs(on.imag) < ON)).mean(axis=2)
+    lies = (share > MOST) & (np.abs((way[:, None] / way).imag) < LEAN)
+    found = lies | lies.T
+    np.fill_diagonal(found, False)
+    return np.asarray(found)
+
+
+def _one_by_one(
+    best: np.ndarray, starts: np.ndarray, counts: Sequence[int], freedom: Callable[[np.ndarray], np.ndarray]
+) -> np.ndarray:
     """Of too many arrows to try all together each is turned in its turn, as long as that frees them."""
-    best = starts.copy()
     for _ in range(ROUNDS):
         before = best.copy()
         for i, count in enumerate(counts):

@@ -37,4 +37,7 @@ def draw_couple_arm(st: Statics, pane: Pane, link: str, forces: Sequence[Acting]
         near = min(arrow.start, arrow.end, key=lambda end: abs(end - across))
         if ((arrow.start - across).conjugate() * (arrow.end - across)).real > 0.0:  # the arm meets no arrow
             st.board.join(pane, near, across + PAST * (across - near) / abs(across - near), Role.DIRECTION)
+        elif abs(near - across) < PAST:  # it meets one at its end
+            past = PAST * (near - across) / abs(near - across) if near != across else PAST * u
+            st.board.join(pane, across - past, across + past, Role.DIRECTION)
         draw_arm(st, pane, ARM, at, across, u)

@@ -72,7 +72,7 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
         _displaced(st, pane, name)
         ink_arrows(st, pane, (name,), forces, arrows)
         draw_couple_arm(st, pane, name, forces, arrows)
-        _draw_normals(st, pane, name, {arrow.symbol: arrow for arrow in arrows})
+        _draw_normals(st, pane, name, {force.named.symbol: force for force in forces}, arrows)
         _couple(st, pane, name, couples)
 
 
@@ -131,8 +131,10 @@ def _balance(st: Statics, link: str) -> list[Acting]:
     return [Acting(named=st.unknown_named, vector=vector, at=st.desk.at[load.point])]
 
 
-def _draw_normals(st: Statics, pane: Pane, link: str, arrows: Mapping[str, Arrow]) -> None:
-    """The normal of every slide and contact of the link, and the friction angle from it to the reaction."""
+def _draw_normals(st: Statics, pane: Pane, link: str, forces: Mapping[str, Acting], arrows: Sequence[Arrow]) -> None:
+    """The normal of every slide and contact of the link, and the friction angle from it to the reaction, where that is
+    drawn."""
+    drawn = {arrow.symbol: arrow for arrow in arrows}
     for joint in (*st.mech.joints, *st.mech.contacts):
         if isinstance(joint, Revolute) or not isinstance(joint, Prismatic | Contact):
             continue
@@ -141,9 +143,9 @@ def _draw_normals(st: Statics, pane: Pane, link: str, arrows: Mapping[str, Arrow
             a = link
         if link not in (a, b) or not st.phi(joint):
             continue
-        force = st.push(b if link == a else a, link)
+        force = forces.get(st.named(b if link == a else a, link).symbol)
         if force is not None and abs(nominal(force.vector)) > 1e-9:
-            arrow = arrows.get(force.named.symbol)
+            arrow = drawn.get(force.named.symbol)
             if arrow is None:
                 continue  # off the paper
             middle = (arrow.start + arrow.end) / 2 - complex(nominal(force.at))

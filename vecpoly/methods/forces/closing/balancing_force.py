@@ -14,7 +14,7 @@ from ..bodies.link_polygon import draw_polygon, pane_of
 from ..lines.links_of_group import Held
 from ..lines.resultant import Resultant
 from ..lines.three_forces import KNOWN
-from ..readings import keep_measured, keep_nothing
+from ..readings import keep_measured, keep_nothing, say_measured
 from ..state import Statics
 
 
@@ -34,9 +34,8 @@ def draw_balance(st: Statics, held: Held, load: Resultant, line: Line, u: Points
     force, frame = st.unknown_named, st.named(FRAME, link)
     st.board.step(
         Words(
-            f"列构件 {number} 的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接，由图量得 ${force.symbol}$。",
-            f"Write the equilibrium of link {number}, draw its polygon to $μ_F$, the forces head to tail, and "
-            f"measure ${force.symbol}$.",
+            f"列构件 {number} 的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接。",
+            f"Write the equilibrium of link {number} and draw its polygon to $μ_F$, the forces head to tail.",
         ),
         pane_of(st, link),
     )
@@ -52,6 +51,7 @@ def draw_balance(st: Statics, held: Held, load: Resultant, line: Line, u: Points
         ),
     )
     sought = drawn[force.key]
+    say_measured(st, ((force.symbol, sought),))
     if abs(nominal(sought.end - sought.start)) < NO_LENGTH:
         keep_nothing(st, force)
         st.balance = 0.0

@@ -63,9 +63,9 @@ def _by_meeting(st: Statics, held: Held, load: Resultant, line: Line) -> None:
         known_forces(st, held.link, load),
         f"${st.unknown_named.symbol}$",
     )
-    spot, short = in_point(letter), known if len(load.forces) == 1 else Words.same(f"${resultant_of(st, held.link)}$")
+    spot, short = in_point(letter), known if load.is_single else Words.same(f"${resultant_of(st, held.link)}$")
     there = Words(f" ${letter}$" if letter else "此点", f"${letter}$" if letter else "it")
-    joined = Words("", "") if len(load.forces) == 1 else Words(f"先求{known.zh}；", f"find {known.en}; ")
+    joined = Words("", "") if load.is_single else Words(f"先求{known.zh}；", f"find {known.en}; ")
     st.board.step(
         Words(
             f"取构件 {number} 为分离体：{joined.zh}{short.zh} 与 {sought} 的作用线交{spot.zh}，三力必汇交于一点，"

@@ -48,8 +48,8 @@ def moment_on_crank(st: Statics, held: Held) -> None:
         return
     st.board.step(
         Words(
-            f"取构件 {number} 为分离体，已知 {load.symbols.zh}。",
-            f"Isolate link {number}: {load.symbols.en} {'is' if len(load.forces) == 1 else 'are'} known.",
+            f"取构件 {number} 为分离体，已知 {load.told.zh}。",
+            f"Isolate link {number}: {load.told.en} {'is' if load.is_single else 'are'} known.",
         ),
         View.MECHANISM,
     )
@@ -58,15 +58,11 @@ def moment_on_crank(st: Statics, held: Held) -> None:
     sense = st.moment_sense(pin, FRAME, held.link)
     at = st.touch(pin, u, sense)
     frame = st.named(FRAME, held.link).symbol
-    one, one_en = (
-        (load.symbols.zh, load.symbols.en)
-        if len(load.forces) == 1
-        else ("已知力的合力", "the resultant of the known forces")
-    )
+    one = _joined(load)
     st.board.remark(
         Words(
-            f"机架反力 ${frame}$ 与{' ' if len(load.forces) == 1 else ''}{one}等值、反向、平行。",
-            f" The frame's reaction ${frame}$ is equal, opposite and parallel to {one_en}.",
+            f"机架反力 ${frame}$ 与{one.zh}等值、反向、平行。",
+            f" The frame's reaction ${frame}$ is equal, opposite and parallel to {one.en}.",
         )
     )
     st.board.remark(
@@ -78,6 +74,15 @@ def moment_on_crank(st: Statics, held: Held) -> None:
     )
     st.settle(FRAME, held.link, -load.vector, at, drawn, sense, computed=unread(st, load))
     _couple(st, held, load, at, drawn)
+
+
+def _joined(load: Resultant) -> Words:
+    """What the frame's reaction is parallel to."""
+    if load.is_single:
+        return Words(f" {load.symbols.zh} ", load.symbols.en)
+    if load.couples:
+        return Words("已知力与力偶的合力", "the resultant of the known forces and couples")
+    return Words("已知力的合力", "the resultant of the known forces")
 
 
 def _frame_side(st: Statics, held: Held, load: Resultant) -> Drawn | None:
@@ -99,7 +104,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     across = foot(line, at)  # from the frame's line square across to the other
     couple = (np.conj(across - at) * load.vector).imag
     if abs(nominal(across - at)) < NO_LENGTH:
-        _through_pin(st, load.symbols.zh)
+        _through_pin(st, load.symbols.zh if load.is_single else "合力")
         return
     if abs(nominal(across - at)) > OFF_SHEET:
         _by_sum(st, held, at)

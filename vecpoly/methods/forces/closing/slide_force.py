@@ -41,8 +41,8 @@ def force_on_slide(st: Statics, held: Held) -> None:
     number = st.mech.number(held.link)
     st.board.step(
         Words(
-            f"取构件 {number} 为分离体，已知 {load.symbols.zh}。",
-            f"Isolate link {number}: {load.symbols.en} {'is' if len(load.forces) == 1 else 'are'} known.",
+            f"取构件 {number} 为分离体，已知 {load.told.zh}。",
+            f"Isolate link {number}: {load.told.en} {'is' if load.is_single else 'are'} known.",
         )
     )
     st.board.remark(slide_words(st, joint, FRAME, held.link))

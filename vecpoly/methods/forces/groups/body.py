@@ -60,10 +60,12 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
     once, for later rounds only repeat them."""
     if not st.board.seen:
         return
-    if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
+    there = [mark for mark in st.board.marks(pane) if isinstance(mark, Vector)]
+    if {mark.label for mark in there} & {force.named.symbol for force in forces}:
         return
     spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]
-    arrows = place_arrows(forces, spots, *ways_of_loads(st), bars=[*bars_of(st.board.marks(pane))])
+    bars, inside = [*bars_of(st.board.marks(pane))], [(mark.a, mark.b) for mark in there]
+    arrows = place_arrows(forces, spots, *ways_of_loads(st), bars=bars, standing=inside)
     ink_arrows(st, pane, links, forces, arrows)
     say_far(st, forces, spots)
     for link in links:

@@ -87,9 +87,8 @@ def tangential(st: Statics, by: str, on: str, arm: tuple[str, str], turning: Tur
     p, about = arm
     outward = st.desk.towards(about, p)
     named = part_named(st.named(by, on), "t")
-    i, j = st.mech.number(by), st.mech.number(on)
     if not turning.way:
-        st.board.remark(without_moment(f"$R^t_{{{i}{j}}}$"))
+        st.board.remark(without_moment(f"${named.symbol}$"))
         return 0j
     length = st.desk.length(p, about)
     st.board.compute(named.symbol, turning.size / length, "N")

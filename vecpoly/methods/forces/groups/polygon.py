@@ -21,12 +21,10 @@ from ....words import Words
 from ..acting import NO_LETTER, Acting, Drawn
 from ..bodies.link_polygon import corner_letters
 from ..lines.arms import acting_on
-from ..readings import measured
+from ..readings import SAME, measured, say_measured
 from ..state import Statics
 from .body import polygon_title
 from .corners import Corners, Reaction
-
-SAME = 1e-6  # mm: shorter vectors are not drawn
 
 
 def draw_group(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> Corners:
@@ -127,23 +125,6 @@ def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Dra
     for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
         name_side(st, drawn, by, on)
     return found
-
-
-def say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
-    """Which reactions are measured, and which are zero since the letters of their ends coincide."""
-    none = [(name, drawn) for name, drawn in sides if abs(complex(nominal(drawn.end - drawn.start))) < SAME]
-    names = [name for name, drawn in sides if (name, drawn) not in none]
-    if names:
-        st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
-    if none:
-        first, last = none[0][1].letters.split()
-        zeros = "".join(f"${name}$ = " for name, _ in none)
-        why = (
-            Words("", "")
-            if first == last
-            else Words(f"${first}$ 与 ${last}$ 重合，故 ", f" Points ${first}$ and ${last}$ coincide, so")
-        )
-        st.board.remark(why + Words(f"{zeros}0。", f" {zeros}0."))
 
 
 def name_side(st: Statics, drawn: Drawn, by: str, on: str) -> None:

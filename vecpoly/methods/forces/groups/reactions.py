@@ -16,6 +16,7 @@ from ....words import Words
 from ..acting import Acting, Drawn
 from ..bodies.arrows import REACH
 from ..lines.arms import Turning
+from ..lines.letters import arm_about_point
 from ..readings import measured
 from ..senses import TURN, inclined, pin_words, slide_words
 from ..state import Statics
@@ -56,10 +57,8 @@ def settle_slide(
     if turning.way:
         at = _displaced(st, group_pane(st, *links), by, on, point, drawn, turning)
     else:
-        i, j = st.mech.number(by), st.mech.number(on)
-        st.board.remark(
-            Words(f"$R_{{{i}{j}}}$ 过 ${point}$ 点。", f" The reaction $R_{{{i}{j}}}$ passes through ${point}$.")
-        )
+        symbol = st.named(by, on).symbol
+        st.board.remark(Words(f"${symbol}$ 过 ${point}$ 点。", f" The reaction ${symbol}$ passes through ${point}$."))
     st.settle(by, on, vector, at, drawn)
     _leave(st, links, by, on, pin, at, vector)
 
@@ -71,14 +70,14 @@ def no_force(st: Statics, drawn: Drawn) -> bool:
 
 def _say_couple(st: Statics, by: str, on: str, couple: Reals) -> None:
     """The forces on both sides of the guide are equal and opposite: R = 0, at infinity, and M_R."""
-    i, j = st.mech.number(by), st.mech.number(on)
-    size, told = float(nominal(couple)), f"${st.named(by, on).symbol}$ = " in st.board.steps[-1].words.zh
+    i, j, symbol = st.mech.number(by), st.mech.number(on), st.named(by, on).symbol
+    size, told = float(nominal(couple)), f"${symbol}$ = " in st.board.steps[-1].words.zh
     if not size:
         if not told:
-            st.board.remark(Words(f"$R_{{{i}{j}}}$ = 0。", f" Hence $R_{{{i}{j}}}$ = 0."))
+            st.board.remark(Words(f"${symbol}$ = 0。", f" Hence ${symbol}$ = 0."))
         return
     way = TURN[1 if size > 0 else -1]
-    none = Words("但 ", " However,") if told else Words(f"$R_{{{i}{j}}}$ = 0，而 ", f" Here $R_{{{i}{j}}}$ = 0, while")
+    none = Words("但 ", " However,") if told else Words(f"${symbol}$ = 0，而 ", f" Here ${symbol}$ = 0, while")
     st.board.remark(
         none
         + Words(
@@ -105,16 +104,17 @@ def lean(st: Statics, links: tuple[str, ...], joint: Prismatic, by: str, on: str
 
 def _displaced(st: Statics, pane: Pane, by: str, on: str, point: str, drawn: Drawn, turning: Turning) -> Points:
     """The point of the line nearest to the point of moments."""
-    i, j = st.mech.number(by), st.mech.number(on)
-    force = magnitude(st.named(by, on).symbol, measured(st, drawn).value, "N")
+    named, j = st.named(by, on), st.mech.number(on)
+    force = magnitude(named.symbol, measured(st, drawn).value, "N")
     st.board.step(
         Words(
-            f"由构件 {j} 的 $ΣM_{point}$ = 0 定出 $R_{{{i}{j}}}$ 的作用线至 ${point}$ 的距离：",
-            f"The moments $ΣM_{point}$ = 0 of link {j} give the distance of the line of $R_{{{i}{j}}}$ from ${point}$:",
+            f"由构件 {j} 的 $ΣM_{point}$ = 0 定出 ${named.symbol}$ 的作用线至 ${point}$ 的距离：",
+            f"The moments $ΣM_{point}$ = 0 of link {j} give the distance of the line of ${named.symbol}$ from "
+            f"${point}$:",
         ),
         pane,
     )
-    arm = st.board.compute(f"h_{{{i}{j}}}", turning.size / force, "m")
+    arm = st.board.compute(arm_about_point(named.symbol), turning.size / force, "m")
     side = -1j * _along(drawn.end - drawn.start) * -np.sign(turning.value)
     return st.board.lay_off(st.desk.at[point], side, st.board.to_paper(View.MECHANISM, arm.value))
 
@@ -139,8 +139,8 @@ def _leave(st: Statics, links: tuple[str, ...], by: str, on: str, pin: Points, a
     if away > SHORT:
         st.board.join(pane, pin, at, Role.CONSTRUCTION)
         st.board.right_angle(pane, at, unit(pin - at), _along(vector))
-        st.board.plot(pane, (pin + at) / 2, f"h_{{{st.mech.number(by)}{st.mech.number(on)}}}", Dot.NONE)
-    if {by, on} <= set(links):
+        st.board.plot(pane, (pin + at) / 2, arm_about_point(st.named(by, on).symbol), Dot.NONE)
+    if {by, on} <= set(links) and not {by, on} & set(st.mech.slot_pins):  # its pin's force on the group is the same
         u, named = _along(vector), st.named(by, on)
         st.board.join(pane, at - u * INSIDE, at, Role.DIRECTION)
         st.board.arrow(pane, at, at + u * INSIDE, Role.RESULT, key=named.key, label=named.symbol)

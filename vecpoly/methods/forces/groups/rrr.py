@@ -11,7 +11,7 @@ from ...registry import Stage, method
 from ..lines.arms import moments_about
 from ..state import Statics
 from .body import group_pane
-from .corners import Reaction, tangential
+from .corners import Reaction, part_named, tangential
 from .polygon import draw_group, reactions
 from .reactions import draw_body, settle_pin
 
@@ -44,16 +44,17 @@ def split(
     """The reaction at an outer pin P, split along and across the line to C: R^t from ΣM_C = 0 of its link (or of
     `links` together)."""
     p, c = arm
-    i, j, body = st.mech.number(by), st.mech.number(on), links or (on,)
+    whole, j, body = st.named(by, on), st.mech.number(on), links or (on,)
+    both, along, square = (f"${part_named(whole, part).symbol}$" for part in ("", "n", "t"))
     of, of_en = ("杆组", "the group") if len(body) > 1 else (f"构件 {j} ", f"link {j}")
     pane = group_pane(st, *group)
     st.board.step(
         Words(
-            f"将 $R_{{{i}{j}}}$ 分解为沿 ${p}{c}$ 的 $R^n_{{{i}{j}}}$ 与垂直于 ${p}{c}$ 的 $R^t_{{{i}{j}}}$；"
-            f"量取各力对 ${c}$ 点的力臂，由{of}的 $ΣM_{c}$ = 0 求 $R^t_{{{i}{j}}}$：",
-            f"Split $R_{{{i}{j}}}$ into $R^n_{{{i}{j}}}$ along ${p}{c}$ and $R^t_{{{i}{j}}}$ "
+            f"将 {both} 分解为沿 ${p}{c}$ 的 {along} 与垂直于 ${p}{c}$ 的 {square}；"
+            f"量取各力对 ${c}$ 点的力臂，由{of}的 $ΣM_{c}$ = 0 求 {square}：",
+            f"Split {both} into {along} along ${p}{c}$ and {square} "
             f"perpendicular to it; measure the arms of the forces about ${c}$; $ΣM_{c}$ = 0 of "
-            f"{of_en} gives $R^t_{{{i}{j}}}$:",
+            f"{of_en} gives {square}:",
         ),
         pane,
     )

@@ -15,7 +15,7 @@ from ....errors import EquilibriumError
 from ....plane import Line, Points, Reals, cross, foot, nominal
 from ....words import Words
 from ..acting import Acting, summed
-from ..couples import couples_on
+from ..couples import every_couple
 from ..groups.body import draw_arm
 from ..readings import measured
 from ..state import Statics
@@ -121,16 +121,9 @@ def _of_forces(
 
 def _of_couples(st: Statics, link: str) -> Iterator[tuple[Expr, Reals]]:
     """Given couples, inertia couples, friction couples of pins."""
-    for symbol, value in _couples(st, link):
+    for symbol, value in every_couple(st, link):
         if nominal(value):
             yield magnitude(symbol, np.abs(value), "N·m"), np.sign(value)
-
-
-def _couples(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
-    yield from couples_on(st, link)
-    for (by, on), couple in st.couples.items():
-        if on == link:
-            yield f"M_{{f{st.mech.number(by)}{st.mech.number(on)}}}", couple
 
 
 def without_moment(symbol: str) -> Words:

@@ -97,8 +97,8 @@ def resultant_of(st: Statics, link: str) -> str:
 
 
 def draw_resultant(st: Statics, link: str, load: Resultant) -> None:
-    """Parallel forces laid off interchanged, and the line of action of several known forces joined into one."""
-    if st.preliminary or load.is_couple or len(load.forces) < 2:
+    """Parallel forces laid off interchanged, and the line of action of known forces and couples joined into one."""
+    if st.preliminary or load.is_couple or load.is_single:
         return
     board = st.board
     if load.interchanged is not None:
@@ -111,18 +111,18 @@ def draw_resultant(st: Statics, link: str, load: Resultant) -> None:
 
 
 def line_of_load(load: Resultant) -> Other:
-    """The line of the known load; the resultant of several is no force of its own."""
-    return load.forces[0].named if len(load.forces) == 1 else None, load.at
+    """The line of the known load; what is joined of several is no force of its own."""
+    return load.forces[0].named if load.is_single else None, load.at
 
 
 def known_forces(st: Statics, link: str, load: Resultant) -> Words:
     """The one known force, or the resultant of several and how its line is found."""
-    if len(load.forces) == 1:
+    if load.is_single:
         return load.symbols
     (joined, joined_en), symbol = load.found, resultant_of(st, link)
     return Words(
-        f"已知力 {load.symbols.zh} 的合力 ${symbol}$（{joined}）",
-        f"the resultant ${symbol}$ of {load.symbols.en} ({joined_en})",
+        f"已知力 {load.told.zh} 的合力 ${symbol}$（{joined}）",
+        f"the resultant ${symbol}$ of {load.told.en} ({joined_en})",
     )
 
 

@@ -94,7 +94,7 @@ def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: s
 
 
 def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
-    number, known = st.mech.number(held.link), load.symbols
+    number, known = st.mech.number(held.link), load.told
     one, two = f"${st.named(by, held.link).symbol}$", f"${st.named(held.parent, held.link).symbol}$"
     return Words(
         f"取构件 {number} 为分离体：{known.zh}、{one}、{two} 平衡；{one} 的作用线已知。",
@@ -222,10 +222,10 @@ def _written(st: Statics, link: str, load: Resultant, where: tuple[Line, Points]
     else:
         force = (
             size_of(st, load.forces[0])
-            if len(load.forces) == 1
+            if load.is_single
             else magnitude(resultant_of(st, link), np.abs(load.vector) * st.scale.value, "N")
         )
-        letter = arm_about_point(load.forces[0].named.symbol if len(load.forces) == 1 else resultant_of(st, link))
+        letter = arm_about_point(load.forces[0].named.symbol if load.is_single else resultant_of(st, link))
         expr = force * (board.mu(View.MECHANISM) * _arm(st, load.line, touch, letter)) / b
     return board.compute(named.symbol, expr, "N").value
 

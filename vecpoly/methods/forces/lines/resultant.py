@@ -11,6 +11,7 @@ from ....board.board import NO_LENGTH
 from ....plane import Line, Points, Reals, cross, lines_meet, nominal, unit
 from ....words import Words
 from ..acting import Acting, summed
+from ..couples import every_couple
 from ..state import Statics
 
 NEARLY = 1e-2  # sine below which the meeting point of two lines of action is of no use
@@ -31,6 +32,12 @@ class Resultant:
     interchanged: tuple[Side, Side] | None = (
         None  # two parallel forces, each laid off at the other's point, one of them reversed
     )
+    couples: tuple[str, ...] = ()  # those joined with the forces, by their symbols
+
+    @property
+    def is_single(self) -> bool:
+        """Whether it is one of the known forces, on its own line."""
+        return len(self.forces) == 1 and not self.couples
 
     @property
     def is_couple(self) -> bool:
@@ -56,7 +63,13 @@ class Resultant:
             )
         if len(self.forces) == 2 and all(_on(f.line, self.at) for f in self.forces):
             return "过两力作用线的交点", "through the crossing of their lines"
-        couple = ("（连同力偶）", " (couples included)") if len(self.forces) == 1 else ("", "")
+        if len(self.forces) == 1:
+            own = self.symbols.zh
+            return (
+                f"将 {own} 平移，使其对原作用线上一点之矩等于力偶矩",
+                f"{own} shifted aside until its moment equals that of the couple",
+            )
+        couple = ("（连同力偶）", " (couples included)") if self.couples else ("", "")
         return (
             f"其作用线由各力{couple[0]}对一点之矩的代数和定出",
             f"on the line that the sum of their moments{couple[1]} gives",
@@ -67,6 +80,15 @@ class Resultant:
         """The forces in symbols: $F$, $R_{21}$."""
         names = [f"${force.named.symbol}$" for force in self.forces]
         return Words("、".join(names), ", ".join(names))
+
+    @property
+    def told(self) -> Words:
+        """The forces and the couples that are joined with them."""
+        if not self.couples:
+            return self.symbols
+        names = [f"${symbol}$" for symbol in self.couples]
+        couples = "couple" if len(names) == 1 else "couples"
+        return self.symbols + Words(f" 与力偶 {'、'.join(names)}", f" and the {couples} {', '.join(names)}")
 
 
 def resultant(st: Statics, link: str) -> Resultant:
@@ -94,7 +116,8 @@ def resultant(st: Statics, link: str) -> Resultant:
             at=lines_meet(Line(one, unit(two - one)), Line(one_end, unit(two_end - one_end))),
             interchanged=sides,
         )
-    return Resultant(forces=forces, vector=total, at=_place(st, forces, total, moment))
+    couples = tuple(symbol for symbol, size in every_couple(st, link) if np.any(size)) if np.any(moment) else ()
+    return Resultant(forces=forces, vector=total, at=_place(st, forces, total, moment), couples=couples)
 
 
 def _interchanged(forces: tuple[Acting, ...]) -> tuple[Side, Side] | None:

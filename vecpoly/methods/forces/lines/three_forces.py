@@ -3,8 +3,6 @@ a third through their meeting point; ΣF = 0 closes the polygon."""
 
 from __future__ import annotations
 
-import numpy as np
-
 from ....board.board import NO_LENGTH
 from ....board.construction import View
 from ....errors import NoMethodError
@@ -13,7 +11,7 @@ from ....plane import Line, Points, cross, foot, lines_meet, nominal
 from ....vector.equation import Term
 from ....words import Words
 from ..bodies.link_polygon import draw_polygon, pane_of
-from ..readings import write_sizes
+from ..readings import say_measured, write_sizes
 from ..senses import inclined, pin_words, slide_words
 from ..state import Statics
 from .links_of_group import Held
@@ -69,7 +67,7 @@ def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter
             f"Isolate link {number}: {known.en}, {one} and {two} are in equilibrium; {known.en} "
             f"and {one} pass through ${pin}$, so {two} must pass through it too.",
         )
-    known, single = known_forces(st, held.link, load), len(load.forces) == 1 and not np.any(st.moment(held.link))
+    known, single = known_forces(st, held.link, load), load.is_single
     short = known if single else Words.same(f"${resultant_of(st, held.link)}$")
     spot = f" ${letter}$" if letter else ""
     point = Words(spot or "此点", spot.strip() or "this point")
@@ -131,8 +129,8 @@ def polygon(
     one, two = st.named(by, link), st.named(held.parent, link)
     st.board.step(
         Words(
-            f"列构件 {number} 的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接；",
-            f"Write the equilibrium of link {number} and draw its polygon to $μ_F$, the forces head to tail;",
+            f"列构件 {number} 的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接。",
+            f"Write the equilibrium of link {number} and draw its polygon to $μ_F$, the forces head to tail.",
         ),
         pane_of(st, link),
     )
@@ -148,7 +146,7 @@ def polygon(
     side, last = drawn[one.key], drawn[two.key]
     first = st.settle(by, link, side.end - side.start, at, side)
     other = st.settle(held.parent, link, last.end - last.start, st.at_joint(held.joint, Line(x, u)), last, sense)
-    st.board.remark(Words(f"由图量得 ${one.symbol}$、${two.symbol}$。", f" measure ${one.symbol}$ and ${two.symbol}$."))
+    say_measured(st, ((one.symbol, side), (two.symbol, last)))
     write_sizes(st, first, other)
 
 

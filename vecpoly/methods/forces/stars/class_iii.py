@@ -13,10 +13,11 @@ from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.groups.assur import Group, ends
 from ....mechanism.model import Prismatic
+from ....names import Named
 from ....plane import Points, cross, foot, nominal, unit
 from ....words import Words
 from ...kinematics.class_iii.special import special_of
-from ...kinematics.class_iii.star import Star, star_of
+from ...kinematics.class_iii.star import star_of
 from ...registry import Stage, method
 from ..bodies.arrows import REACH
 from ..groups.body import SHORT, group_pane
@@ -53,7 +54,7 @@ def forces_class_iii(st: Statics, group: Group) -> None:
     special = special_of(st.desk, star)
     one, two, third = (pressed(st, star, leg, links) for leg in (*special.pair, special.third))
     legs = (one, two, third)
-    about = (special.at.point, _meeting(st, star, (one, two), special.at.point, links))
+    about = (special.at.point, _meeting(st, legs, special.at.point, links))
     parts = (moments_at(st, group_pane(st, *links), (star.plate,), about[1], about[0]),)
     turning = joined(*parts, *(known_moment(st, leg, about, links) for leg in legs))
     known = _along_axis(st, third, about, turning, links)
@@ -64,17 +65,17 @@ def forces_class_iii(st: Statics, group: Group) -> None:
     draw_group_body(st, star, legs, links)
 
 
-def _meeting(st: Statics, star: Star, pair: tuple[Pressed, Pressed], letter: str, links: tuple[str, ...]) -> Points:
+def _meeting(st: Statics, legs: tuple[Pressed, Pressed, Pressed], letter: str, links: tuple[str, ...]) -> Points:
     """The special point, on the free body of the group: where the lines of two reactions meet."""
-    board, pane = st.board, group_pane(st, *links)
+    board, pane, pair = st.board, group_pane(st, *links), legs[:2]
     one, two = (st.mech.number(leg.leg.link) for leg in pair)
-    third = st.mech.number(next(leg.link for leg in star.axial if leg not in (pair[0].leg, pair[1].leg)))
+    first, second, third = (f"${_sought(st, leg).symbol}$" for leg in legs)
     board.step(
         Words(
-            f"构件 {one} 与 {two} 的待求反力的作用线交于特殊点 ${letter}$；对 ${letter}$ 取矩时二者不出现，"
-            f"由整个杆组的 $ΣM_{letter}$ = 0 可求构件 {third} 的待求反力。",
-            f"The lines of what links {one} and {two} still have to bear meet at the special point ${letter}$; about "
-            f"${letter}$ neither has a moment, so $ΣM_{letter}$ = 0 of the whole group gives that of link {third}.",
+            f"构件 {one} 的 {first} 与构件 {two} 的 {second} 的作用线交于特殊点 ${letter}$；对 ${letter}$ 取矩时二者"
+            f"不出现，由整个杆组的 $ΣM_{letter}$ = 0 可求 {third}。",
+            f"The lines of {first} of link {one} and {second} of link {two} meet at the special point ${letter}$; "
+            f"about ${letter}$ neither has a moment, so $ΣM_{letter}$ = 0 of the whole group gives {third}.",
         ),
         pane,
     )
@@ -89,12 +90,17 @@ def _meeting(st: Statics, star: Star, pair: tuple[Pressed, Pressed], letter: str
     return found
 
 
+def _sought(st: Statics, leg: Pressed) -> Named:
+    """What a leg still has to bear, along its axis."""
+    return part_named(st.named(leg.reaction.by, leg.reaction.on), leg.reaction.part)
+
+
 def _along_axis(
     st: Statics, leg: Pressed, about: tuple[str, Points], turning: Turning, links: tuple[str, ...]
 ) -> Points:
     """R = Σ M / h along the leg's axis: mm on the polygon."""
     letter, place = about
-    named = part_named(st.named(leg.reaction.by, leg.reaction.on), leg.reaction.part)
+    named = _sought(st, leg)
     if not turning.way:
         st.board.remark(without_moment(f"${named.symbol}$"))
         return 0j

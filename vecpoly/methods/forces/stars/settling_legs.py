@@ -9,10 +9,11 @@ from ...kinematics.class_iii.star import Guided, Hinged, Slotted, Star
 from ..acting import Drawn
 from ..bodies.link_polygon import closing_side, pane_of
 from ..groups.body import draw_forces, group_pane
-from ..groups.polygon import name_side, say_measured
+from ..groups.polygon import name_side
 from ..groups.reactions import settle_pin, settle_slide
 from ..lines.arms import acting_on
 from ..lines.resultant import Resultant
+from ..readings import say_measured
 from ..state import Statics
 from .chain import Sides
 from .legs import Pressed

@@ -15,10 +15,11 @@ from ...kinematics.class_iii.star import Parallel, Slotted, Star
 from ..acting import NO_LETTER, Acting, Drawn
 from ..bodies.link_polygon import draw_polygon, pane_of
 from ..groups.body import group_pane
-from ..groups.polygon import SAME, name_side, say_measured
+from ..groups.polygon import name_side
 from ..groups.reactions import lean, settle_slide
 from ..lines.arms import Turning, acting_on, joined, moments_about, moments_at, moments_of
 from ..lines.resultant import Resultant
+from ..readings import SAME, say_measured
 from ..state import Statics
 from .chain import Sides, draw_chain_of_two
 from .legs import Pressed, pressed

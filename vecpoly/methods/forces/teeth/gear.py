@@ -90,9 +90,9 @@ def _bearing_alone(st: Statics, mesh: Mesh, load: Resultant) -> None:
     number = st.mech.number(held.link)
     st.board.step(
         Words(
-            f"取构件 {number} 为分离体：{load.symbols.zh} 的合力过 ${pin}$，对 ${pin}$ 无矩，故齿间的 "
+            f"取构件 {number} 为分离体：{load.told.zh} 的合力过 ${pin}$，对 ${pin}$ 无矩，故齿间的 "
             f"${teeth.symbol}$ = 0，${bearing.symbol}$ 与之等值、反向、共线。",
-            f"Isolate link {number}: {load.symbols.en} pass through ${pin}$ and turn nothing about it, so the teeth "
+            f"Isolate link {number}: {load.told.en} pass through ${pin}$ and turn nothing about it, so the teeth "
             f"carry nothing, ${teeth.symbol}$ = 0; ${bearing.symbol}$ is equal and opposite, in the same line.",
         ),
         View.MECHANISM,
