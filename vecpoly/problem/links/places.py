@@ -15,6 +15,7 @@ from ...words import Words
 from ..schema.faults import meant
 from ..text.source import Value
 from .draft import ANGLE_FROM, PLACED, Draft, ends_of, ray
+from .line_words import line_words
 from .starts import is_phased, phased
 
 _SIDE = pattern(rf"(left|right) of ({LETTER})({LETTER})")
@@ -122,26 +123,18 @@ def _note_offsets(
     if not beside:
         draft.note(f"l_{origin}{point}", abs(at.si), distance)
         if at.si < 0:
-            draft.say(
-                Words(
-                    f"${subscripted(point)}$ 在 ${data['along']}$ {produced.zh}",
-                    f"${subscripted(point)}$ lies on ${data['along']}${produced.en}",
-                )
-            )
+            line, point = line_words(draft, str(data["along"]), origin), subscripted(point)
+            draft.say(Words(f"${point}$ 在{line.zh}{produced.zh}", f"${point}$ lies on {line.en}{produced.en}"))
     elif below:
         draft.note(f"l_{below}{point}", abs(beside), away)
     else:
         zh, en = ("左", "left") if (side == "left") is (beside > 0) else ("右", "right")
-        along, point = str(data["along"]), subscripted(point)
-        line, line_en = (
-            (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$")
-            if len(along) == 1
-            else (f" ${along}$ ", f"${along}$")
-        )
+        line, point = line_words(draft, str(data["along"]), origin), subscripted(point)
+        back = "的反向延长线" if at.si < 0 else ""
         draft.say(
             Words(
-                f"${point}$ 沿{line}{'的反向延长线' if at.si < 0 else ''}距 ${origin}$ {distance}，位于其{zh}侧 {away}",
-                f"${point}$ lies {distance} from ${origin}$ along {line_en}{produced.en} and {away} to its {en}",
+                f"${point}$ 沿{line.zh}{back}距 ${origin}$ {distance}，位于其{zh}侧 {away}",
+                f"${point}$ lies {distance} from ${origin}$ along {line.en}{produced.en} and {away} to its {en}",
             )
         )
 

@@ -13,12 +13,12 @@ from ...problem.problem import Problem
 from .lines import AXIS, angle, span
 
 _OFF = (
-    r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along \$(\w)(\w)\$( produced backwards)? "
+    r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along ([^.;]+?)( produced backwards)? "
     r"and ([\d.]+) mm to its (left|right)"
 )
 _TO_X = r"\$(\w)(\w)\$ is at ([−-]?[\d.]+)° to the \$x\$ axis"
 _GUIDE = r"the guide through \$(\w)\$ is at ([−-]?[\d.]+)° to the horizontal"
-_NEAR, _BESIDE, _SMALL = 0.5, 7.0, 0.02  # mm from the place that is told; mm from the bar to a dimension; rad
+_LIKE, _BESIDE, _SMALL = 1e-3, 7.0, 0.02  # of a length that is told; mm from the line to a dimension; rad
 
 
 def set_off(problem: Problem, figure: Figure) -> Iterator[Mark]:
@@ -26,10 +26,10 @@ def set_off(problem: Problem, figure: Figure) -> Iterator[Mark]:
     spots = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point) and mark.label}
     for datum in problem.given.data:
         told = datum.of("en") if datum.words is not None else ""
-        for name, along, _, one, other, back, off, side in pattern(_OFF).findall(told):
-            if {name, one, other} <= set(spots):
+        for name, along, start, _, back, off, side in pattern(_OFF).findall(told):
+            if {name, start} <= set(spots):
                 sizes = float(along) * (-1 if back else 1), float(off) * (1 if side == "left" else -1)
-                yield from _beside(spots[one], spots[other], spots[name], sizes, 1e3 * figure.scale.value)
+                yield from _beside(spots[start], spots[name], sizes, 1e3 * figure.scale.value)
         for at, _, size in pattern(_TO_X).findall(told):
             yield from _from_horizontal(spots, at, size)
         for at, size in pattern(_GUIDE).findall(told):
@@ -38,11 +38,13 @@ def set_off(problem: Problem, figure: Figure) -> Iterator[Mark]:
             yield from _turned(problem, figure, datum.symbol, datum.si, spots)
 
 
-def _beside(a: complex, b: complex, at: complex, sizes: tuple[float, float], mm: float) -> Iterator[Mark]:
-    """The way along the bar and that square to it; mm: of the mechanism, for one on paper."""
-    way = (b - a) / abs(b - a)
-    foot = a + way * sizes[0] / mm
-    if abs(foot + 1j * way * sizes[1] / mm - at) < _NEAR:
+def _beside(a: complex, at: complex, sizes: tuple[float, float], mm: float) -> Iterator[Mark]:
+    """The way along the line through `a` and that square to it, which together lead to `at`; mm: of the mechanism, for
+    one on paper."""
+    way = (at - a) * mm / complex(*sizes)
+    if abs(abs(way) - 1.0) < _LIKE:
+        way /= abs(way)
+        foot = a + way * sizes[0] / mm
         other = -1j * way if sizes[1] > 0 else 1j * way
         yield from span(a, foot, f"{abs(sizes[0]):g}", _BESIDE * other)
         yield from span(foot, at, f"{abs(sizes[1]):g}")

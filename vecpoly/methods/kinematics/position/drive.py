@@ -150,19 +150,30 @@ def position_slide(desk: Desk, drive: Drive) -> None:
     """Step off the travel along the fixed guide."""
     joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
     board = desk.board
-    start = counted_from(joint)
-    board.step(
-        Words(
-            f"取 $μ_l$，沿固定导路{start.zh}截取构件 {drive.link} 的位移 $s_{drive.link}/μ_l$，得 ${joint.pin}$。",
-            f"To the scale $μ_l$ step off the travel $s_{drive.link}/μ_l$ of link {drive.link} along its "
-            f"fixed guide {start.en}: ${joint.pin}$.",
-        ),
-        View.MECHANISM,
-    )
+    board.step(_slid(joint), View.MECHANISM)
     line = desk.locus(joint, drive.link, joint.pin)
     travel = board.given(drive.position, drive.key) / board.scales[View.MECHANISM].value
     desk.letter(joint.pin, board.lay_off(line.at, line.along, travel))
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
+
+
+def _slid(joint: Prismatic) -> Words:
+    """Along the guide, or along the parallel on which a pin beside it moves."""
+    start, size, pin = counted_from(joint), f"$s_{joint.block}/μ_l$", joint.pin
+    if not joint.offset:
+        return Words(
+            f"取 $μ_l$，沿固定导路{start.zh}截取构件 {joint.block} 的位移 {size}，得 ${pin}$。",
+            f"To the scale $μ_l$ step off the travel {size} of link {joint.block} along its fixed guide {start.en}: "
+            f"${pin}$.",
+        )
+    side, side_en = ("左", "left") if joint.offset > 0 else ("右", "right")
+    foot, foot_en = ("的垂足起", " (its foot on the parallel)") if joint.through else ("", "")
+    return Words(
+        f"取 $μ_l$，在固定导路{side}侧作与其相距 $e/μ_l$ 的平行线，{start.zh}{foot}沿其截取构件 {joint.block} 的位移 "
+        f"{size}，得 ${pin}$。",
+        f"To the scale $μ_l$ draw the parallel to the fixed guide of link {joint.block}, $e/μ_l$ to its {side_en}, and "
+        f"step off the travel {size} on it {start.en}{foot_en}: ${pin}$.",
+    )
 
 
 def say_fixed_points(desk: Desk) -> None:
