@@ -17,11 +17,10 @@ from tests.each import Later, each
 from tests.found import FOUND
 from vecpoly.board.construction import EquationTable, Step, View
 from vecpoly.board.paper.marks import Dot, ImageOf, Point, RightAngle, Segment, Vector
-from vecpoly.errors import UnknownNameError
 from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.mechanism.model import FRAME, Circle, Prismatic, Rolling
 from vecpoly.methods.desk import POLE, Desk
-from vecpoly.names import At, alpha, omega, parse_rel
+from vecpoly.names import At, alpha, omega
 
 POLYGONS = {"Velocity analysis": View.VELOCITY, "Acceleration analysis": View.ACCELERATION}
 KNOWN: dict[str, list[int]] = json.loads(
@@ -102,10 +101,7 @@ def vectors(desk: Desk) -> dict[str, tuple[View, complex, complex]]:
     for (view, key), stood in desk.board.ledger.vectors.items():
         if not isinstance(view, View) or view not in POLYGONS.values():
             continue
-        try:
-            symbols = [desk.symbol(parse_rel(part)) for part in key.strip("()").split(" + ")]
-        except UnknownNameError:
-            continue
+        symbols = [re.sub("^a([nktr])_", r"a^\1_", part) for part in key.strip("()").split(" + ")]
         whole = "+".join(symbols)
         found[plain(whole if len(symbols) == 1 else f"({whole})")] = (view, complex(stood.start), complex(stood.end))
     return found
