@@ -12,7 +12,6 @@ import pytest
 
 from tests.found import FOUND
 from tests.laws import few
-from vecpoly import loads
 from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.model import Mechanism
@@ -21,7 +20,7 @@ from vecpoly.methods import plan
 from vecpoly.methods.desk import VECTOR, Desk
 from vecpoly.names import At
 from vecpoly.problem.library import library
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
 from vecpoly.solution import Solution, solve
 from vecpoly.words import Words
@@ -52,7 +51,7 @@ class Drawn:
 
 @cache
 def given(name: str) -> Problem:
-    """The problem of this id, or the member that was found by lot, read once."""
+    """The problem of this id, read once: of the library, or one that was found outside it."""
     return loads(FOUND[name]) if name in FOUND else load(name)
 
 

@@ -13,6 +13,7 @@ import pytest
 
 from tests.drawn_library import LIBRARY, desk_of, drawn, given, ids
 from tests.each import Later, each
+from tests.found import FOUND
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.extent import extent
@@ -39,7 +40,7 @@ from vecpoly.names import At, Kind, Rel, subscripted
 from vecpoly.oracle import Motion
 from vecpoly.report.statement.structure import structure
 
-IDS = Later(lambda: ids(view=View.MECHANISM))
+IDS = Later(lambda: (*ids(view=View.MECHANISM), *FOUND))
 M = TypeVar("M", bound=Mark)
 NEAR = 1e-6  # mm
 PINS = (Dot.JOINT, Dot.MULTIPLE)
@@ -178,8 +179,17 @@ def test_gears_have_their_radii_and_touch_each_other(name: str) -> None:
 @each(IDS)
 def test_the_arrow_of_the_drive_turns_as_the_drive_does(name: str) -> None:
     drive = drawn(name).problem.mechanism.drives[0]
-    arrows = [mark for mark in marks(name, TurnArrow) if mark.label == f"ω_{drive.link}"]
+    symbol = f"ω_{{{drive.link}{drive.on}}}" if drive.between else f"ω_{drive.link}"
+    arrows = [mark for mark in marks(name, TurnArrow) if mark.label == symbol]
     assert [mark.ccw for mark in arrows] == ([] if drive.slide else [drive.rate > 0])
+    if drive.between and not drive.slide:
+        assert all(min(abs(mark.at - place(name, pin)) for pin in between(name)) < NEAR for mark in arrows)
+
+
+def between(name: str) -> list[str]:
+    """The pins at which the links of the drive are hinged together."""
+    mech = drawn(name).problem.mechanism
+    return [j.point for j in mech.joints if isinstance(j, Revolute) and {j.a, j.b} == mech.drives[0].pair]
 
 
 def test_a_drive_that_gains_speed_has_a_second_arrow_clear_of_the_first() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from tests.drawn_library import LIBRARY, drawn, given
@@ -50,14 +52,29 @@ def test_a_rack_reaches_past_its_own_pins_at_both_ends(name: str) -> None:
 
 @each(RACKS)
 def test_a_rack_on_a_fixed_guide_lies_on_it_with_all_its_length(name: str) -> None:
+    """One whose pitch line is at an angle to its guide stands on a block."""
     mech, figure = given(name).mechanism, _diagram(name)
     for link in _racks(mech):
-        guided = any(isinstance(j, Prismatic) and j.block == link and j.guide == FRAME for j in mech.joints)
         (rack,) = (m for m in figure.marks if isinstance(m, RackMark) and not m.fixed and m.owner == f"link {link}")
-        guides = [mark for mark in figure.marks if isinstance(mark, FixedGuide) and mark.to_scale]
-        assert bool(guides) is guided
-        for guide in guides:
-            way = (rack.b - rack.a) / abs(rack.b - rack.a)
-            ends = [(end - rack.a) / way for end in (guide.a, guide.b)]
-            assert [end.imag for end in ends] == pytest.approx([-BODY, -BODY])
-            assert min(e.real for e in ends) < 0 and max(e.real for e in ends) > abs(rack.b - rack.a)
+        under = [mark for mark in figure.marks if isinstance(mark, FixedGuide) and _is_under(mark, rack)]
+        assert bool(under) is _lies_along(mech, link)
+        for guide in under:
+            ends = [((end - rack.a) / (rack.b - rack.a)).real for end in (guide.a, guide.b)]
+            assert guide.to_scale and min(ends) < 0 and max(ends) > 1
+
+
+def _lies_along(mech: Mechanism, link: str) -> bool:
+    """Whether the pitch line of a rack runs along a fixed guide on which it slides."""
+    ways = {
+        j.on.direction for j in mech.joints if isinstance(j, Rolling) and isinstance(j.on, Rack) and j.on.link == link
+    }
+    turns = [j.turn for j in mech.joints if isinstance(j, Prismatic) and j.block == link and j.guide == FRAME]
+    return any(abs(math.sin(turn + way)) < 1e-6 for turn in turns for way in ways)
+
+
+def _is_under(guide: FixedGuide, rack: RackMark) -> bool:
+    """Whether a guide runs along the underside of a rack, beside it."""
+    way = (rack.b - rack.a) / abs(rack.b - rack.a)
+    ends = [(end - rack.a) / way for end in (guide.a, guide.b)]
+    beside = min(e.real for e in ends) < abs(rack.b - rack.a) and max(e.real for e in ends) > 0
+    return beside and [end.imag for end in ends] == pytest.approx([-BODY, -BODY])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 
@@ -9,6 +10,7 @@ import pytest
 
 from tests.drawn_library import IDS, LIBRARY, desk_of, drawn, given
 from tests.each import Later, each
+from tests.found import FOUND
 from vecpoly.check.truth import exact_values
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.plane import nominal
@@ -19,7 +21,9 @@ from vecpoly.report.statement.structure import structure
 SIDE = re.compile(r"\$([A-Z])\$ 在 \$([A-Z])([A-Z])\$ (左|右)侧")
 MECHANISMS = Later(lambda: [name for name in LIBRARY if isinstance(given(name).subject, Mechanism)])
 SIDED = Later(lambda: [name for name in MECHANISMS if "侧" in _statement(name)])
-CRANKS = Later(lambda: [name for name in ("A-30", *IDS) if name in MECHANISMS and _steps_off(name)])
+CRANKS = Later(lambda: [name for name in ("A-30", *IDS, *FOUND) if _is_mechanism(name) and _stepped(name)])
+SET_BY = Later(lambda: [name for name in (*IDS, *FOUND) if _is_mechanism(name) and "，以定构件" in _at_phi(name)])
+NEAR = 1e-9
 
 
 def _statement(name: str) -> str:
@@ -27,10 +31,28 @@ def _statement(name: str) -> str:
     return text.zh if text is not None else ""
 
 
-def _steps_off(name: str) -> str:
-    """What a step says of a driving crank that is stepped off from its pivot."""
-    steps = drawn(name).construction.steps
-    return next((s.words.zh for s in steps if re.search(r"过固定铰链.*为构件.*截取", s.words.zh)), "")
+def _is_mechanism(name: str) -> bool:
+    return isinstance(given(name).subject, Mechanism)
+
+
+def _at_phi(name: str) -> str:
+    """The step in which the driving crank is set out at φ."""
+    told = (step.words.zh for step in drawn(name).construction.steps)
+    return next((zh for zh in told if re.search(r"过固定铰链.*作与 \$x\$ 轴成", zh)), "")
+
+
+def _stepped(name: str) -> list[tuple[str, str]]:
+    """The pivot of a driving crank and the point that is stepped off from it."""
+    return re.findall(r"截取 \$([A-Z]'?)([A-Z]'?) =", _at_phi(name))
+
+
+def _off_line(name: str) -> dict[str, float]:
+    """Points of the driving crank: the angle between φ and the line from the pivot to each."""
+    desk = desk_of(name)
+    drive = desk.mech.drive
+    pivot, others = desk.crank(drive.link)
+    arms = {point: complex(nominal(desk.at[point])) - complex(nominal(desk.at[pivot])) for point in others}
+    return {point: cmath.phase(arm * cmath.rect(1.0, -drive.position)) for point, arm in arms.items()}
 
 
 @each(SIDED)
@@ -48,12 +70,21 @@ def test_a_side_that_a_statement_tells_is_that_of_the_drawing_and_no_fixed_point
 @each(CRANKS)
 def test_a_crank_is_stepped_off_to_the_side_that_its_step_says(name: str) -> None:
     """φ of BA points from B to A: B lies on the line at φ, beyond A."""
-    said, desk = _steps_off(name), desk_of(name)
-    drive = desk.mech.drive
-    pivot, (first, *_) = desk.crank(drive.link)
-    away = complex(nominal(desk.at[first])) - complex(nominal(desk.at[pivot]))
-    turned = math.cos(math.atan2(away.imag, away.real) - drive.position)
-    assert turned == pytest.approx(-1.0 if "的另一侧反向截取" in said else 1.0, abs=1e-9), said
+    ((_, point),) = _stepped(name)
+    back = "的另一侧反向截取" in _at_phi(name)
+    assert abs(_off_line(name)[point]) == pytest.approx(math.pi if back else 0.0, abs=NEAR), _at_phi(name)
+
+
+@each(CRANKS)
+def test_a_point_that_is_stepped_off_is_not_set_out_once_more(name: str) -> None:
+    ((_, point),) = _stepped(name)
+    assert f"${point}$" not in _at_phi(name).partition("按已知尺寸定出")[2]
+
+
+@each(SET_BY)
+def test_a_link_that_is_only_set_by_a_line_has_no_point_on_it(name: str) -> None:
+    assert _off_line(name) and all(abs(math.sin(angle)) > NEAR for angle in _off_line(name).values())
+    assert all(f"${point}$" in _at_phi(name).partition("按已知尺寸定出")[2] for point in _off_line(name))
 
 
 @each(MECHANISMS)

@@ -15,7 +15,7 @@ from vecpoly.problem.values.given import Datum
 from vecpoly.problem.values.seen import Counted, Leaning, OffItsGuide, Round, SetOff
 
 OFF = re.compile(
-    r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along \$(\w)(\w)\$( produced backwards)? "
+    r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along [^.;]+?( produced backwards)? "
     r"and ([\d.]+) mm to its (left|right)"
 )
 LEANS = re.compile(r"(?:\$(\w)\w\$|the guide through \$(\w)\$) is at ([−-]?[\d.]+)° to the (?:\$x\$ axis|horizontal)")
@@ -32,8 +32,8 @@ def told(datum: Datum) -> object:
     """What the English words say."""
     words = datum.of("en") if datum.words is not None and not datum.symbol else ""
     if found := OFF.search(words):
-        point, along, start, _, end, back, off, side = found.groups()
-        return point, start, end, said(along) * (-1 if back else 1), said(off) * (1 if side == "left" else -1)
+        point, along, start, back, off, side = found.groups()
+        return point, start, said(along) * (-1 if back else 1), said(off) * (1 if side == "left" else -1)
     if found := LEANS.search(words):
         return found[1] or found[2], said(found[3])
     if found := TO_GUIDE.search(words):
@@ -48,8 +48,8 @@ def told(datum: Datum) -> object:
 def seen(datum: Datum) -> object:
     """The same of the data."""
     match datum.seen:
-        case SetOff(point=point, start=start, end=end, along=along, left=left):
-            return point, start, end, pytest.approx(1e3 * along), pytest.approx(1e3 * left)
+        case SetOff(point=point, start=start, along=along, left=left):
+            return point, start, pytest.approx(1e3 * along), pytest.approx(1e3 * left)
         case Leaning(at=at, turn=turn):
             return at, pytest.approx(degrees(turn))
         case OffItsGuide(at=at, end=end, link=link, turn=turn):

@@ -12,13 +12,15 @@ import pytest
 
 from tests.drawn_library import LIBRARY, drawn, given, ids
 from tests.each import Later, each
+from tests.found import FOUND
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import AngleMark, Arc, Disc, GearMark, Point, Segment, Vector
 from vecpoly.devices.balancing.field import FieldBalancing
 from vecpoly.devices.balancing.rotor import Rotor
+from vecpoly.mechanism.model import Rolling
 from vecpoly.report.question.sketch import sketched
 
-IDS = Later(lambda: [name for name in ids() if given(name).acting is not None or given(name).given.data])
+IDS = Later(lambda: [name for name in (*ids(), *FOUND) if given(name).acting is not None or given(name).given.data])
 WIDTH, HEIGHT = 165.0, 90.0  # mm
 OFF = re.compile(r"lies ([\d.]+) mm from .* and ([\d.]+) mm to its (?:left|right)")
 
@@ -40,9 +42,13 @@ def letters(figure: Figure) -> set[str]:
 
 
 def radii(name: str) -> Iterator[tuple[str, float]]:
-    """Of wheels, discs and rollers; those of balancing masses are on no circle."""
+    """Of wheels, discs and rollers; those of balancing masses, and of gears that roll on nothing, are on no circle."""
+    mech = given(name).mechanism
+    rolling = {one.link for j in mech.joints if isinstance(j, Rolling) for one in (j.gear, j.on)}
+    touching = {one.link for contact in mech.contacts for one in (contact.disc, contact.on)}
+    round_ones = rolling | touching | {roller for roller, _ in mech.welded}
     for datum in given(name).given.data:
-        if re.fullmatch(r"r_\d\D?\D?", datum.symbol):
+        if re.fullmatch(r"r_\d\D?\D?", datum.symbol) and datum.symbol[2] in round_ones:
             yield datum.symbol, datum.si
         for symbol, size in re.findall(r"pitch radius \$(r_\w)\$ = ([\d.]+) mm", datum.of("en")):
             yield symbol, 1e-3 * float(size)
@@ -53,6 +59,13 @@ def coordinates(name: str) -> Iterator[tuple[str, float]]:
     for datum in given(name).given.data:
         if re.fullmatch(r"[xy]_\w|s_\d", datum.symbol) and abs(datum.si) > 1e-6:
             yield datum.symbol, abs(datum.si)
+
+
+def beside(name: str) -> Iterator[float]:
+    """Offsets of pins from guides, as words tell them (m)."""
+    for datum in given(name).given.data:
+        for text in re.findall(r"^offset \$e\$ = ([\d.]+) mm \(\$\w\$ to the", datum.of("en")):
+            yield 1e-3 * float(text)
 
 
 @each(Later(lambda: [name for name in IDS if any(radii(name))]))
@@ -78,7 +91,7 @@ def test_every_guide_beside_an_axis_and_every_driving_block_is_dimensioned(name:
 def test_a_point_that_is_set_off_from_a_bar_has_both_lengths(name: str) -> None:
     figure = sketch(name)
     for datum in given(name).given.data:
-        if (found := OFF.search(datum.of("en"))) is not None and "slot" not in datum.of("en"):
+        if (found := OFF.search(datum.of("en"))) is not None:
             for text in found.groups():
                 assert text in letters(figure), text
                 assert any(one == pytest.approx(1e-3 * float(text), rel=1e-4) for one in sizes(figure)), text
@@ -110,6 +123,13 @@ def test_an_engine_has_its_sizes_and_the_rod_s_centre_of_mass(name: str) -> None
     at = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
     assert {"r", "l", "r_c", "S_2"} <= set(at)
     assert abs(at["S_2"] - at["B"]) * figure.scale.value == pytest.approx(0.060, rel=1e-4)
+
+
+@each(Later(lambda: [name for name in IDS if any(beside(name))]))
+def test_the_offset_of_a_pin_from_its_guide_is_drawn(name: str) -> None:
+    figure = sketch(name)
+    for size in beside(name):
+        assert "e" in letters(figure) and any(one == pytest.approx(size, rel=1e-4) for one in sizes(figure)), size
 
 
 def test_the_line_of_an_offset_guide_bar_has_its_way_from_the_pivot() -> None:

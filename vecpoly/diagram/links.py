@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..board.paper.marks import Block, Dot, FixedGuide, LinkNumber, Mark, Point, Role, Segment
+from ..board.paper.marks import Block, Dot, FixedGuide, LinkNumber, Mark, Passing, Point, Role, Segment, Weld
 from ..board.paper.symbols import Symbol
+from ..foundation.slotted import replace
 from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
 from ..names import subscripted
 from ..problem.problem import Shape
@@ -17,10 +18,11 @@ from .gears import gear_marks, guided_rack, rack_marks
 from .guides import block_marks, guide_body, is_slot, link_number, reaching, sliding_pair
 from .owners import link as owner
 from .owners import owned
-from .pins import lines_of, passing, welds
+from .pins import BESIDE, lines_of, passing, welds
 from .posed import Posed
 
 ALONE = {Dot.MULTIPLE: Dot.JOINT}  # a link by itself has one half of each pin
+NEAR = 1e-6  # mm
 _NO_BAR = (Shape.GEAR, Shape.PIN, Shape.CYLINDER, Shape.PISTON)
 
 
@@ -29,7 +31,7 @@ def links_drawn(posed: Posed, links: tuple[str, ...], drawn: tuple[Mark, ...] = 
     paper = list(drawn)
     for name, marks in _drawn(posed, links, paper):
         for symbol in owned(owner(name), marks):
-            paper += symbol.marks
+            paper += [replace(mark, owner=symbol.owner) for mark in symbol.marks]
             yield symbol
 
 
@@ -62,7 +64,8 @@ def _alone(posed: Posed, name: str) -> Iterator[Mark]:
     for letter in posed.body(name).points:
         if letter in posed.at and not letter.endswith("'"):
             dot = posed.dot(letter)
-            yield from _joining(posed, posed.at[letter], posed.pinned(letter), name) if letter in hinged else ()
+            own = [*body(posed, name)] if letter in hinged else []
+            yield from _joining(posed, posed.at[letter], posed.pinned(letter), name, own)
             yield Point(at=posed.at[letter], label=subscripted(letter), dot=ALONE.get(dot, dot))
 
 
@@ -115,7 +118,6 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
             yield from ((part, cylinder_part(posed, part, joint)) for part in (joint.guide, joint.block))
         elif _has_block(posed, joint):
             yield joint.block, sliding_pair(posed, joint)
-            yield joint.block, _rigid([*body(posed, joint.block), *sliding_pair(posed, joint)])
     for rolling in (joint for joint in posed.mech.joints if isinstance(joint, Rolling)):
         for circle in (rolling.gear, rolling.on):
             if isinstance(circle, Circle) and _turns_up(circle, rolling, links):
@@ -123,24 +125,45 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
         both = {rolling.gear.link, rolling.on.link}
         if isinstance(rolling.on, Rack) and both & set(links) and posed.is_located(*both):
             yield rolling.on.link, rack_marks(posed, rolling, rolling.on)
+    for name in dict.fromkeys(joint.block for joint in posed.slides() if _has_block(posed, joint)):
+        yield name, _welded(name, paper)
     for letter in posed.hinged():
         pinned = posed.pinned(letter)
-        if set(pinned) & set(links) and posed.is_located(*pinned):
+        if posed.is_located(*pinned):
             at = posed.at[letter]
-            yield from ((name, _joining(posed, at, pinned, name)) for name in pinned if name != FRAME)
+            yield from ((name, _joined(posed, at, pinned, name, paper)) for name in pinned if name != FRAME)
 
 
-def _rigid(marks: Sequence[Mark]) -> Iterator[Mark]:
+def _rigid(marks: Sequence[Mark]) -> Iterator[Weld]:
     """Where the bars of a link leave its blocks."""
     return welds((mark for mark in marks if isinstance(mark, Block)), tuple(lines_of(marks)))
 
 
-def _joining(posed: Posed, at: complex, pinned: tuple[str, ...], name: str) -> Iterator[Mark]:
+def _welded(name: str, paper: Sequence[Mark]) -> Iterator[Mark]:
+    """The corners of a link's blocks on the paper that are not filled yet: a bar from one may end in another."""
+    own = [mark for mark in paper if mark.owner == owner(name)]
+    filled = [(mark.at + mark.off, mark.u) for mark in own if isinstance(mark, Weld)]
+    for mark in _rigid(own):
+        place = (mark.at + mark.off, mark.u)
+        if not any(abs(place[0] - at) < NEAR and abs(place[1] - way) < NEAR for at, way in filled):
+            filled.append(place)
+            yield mark
+
+
+def _joined(posed: Posed, at: complex, pinned: tuple[str, ...], name: str, paper: Sequence[Mark]) -> Iterator[Mark]:
+    """The joining half where a line of the link on the paper runs on past a pin, which it may do as soon as a block on
+    its guide is drawn; each half once."""
+    own = [mark for mark in paper if mark.owner == owner(name)]
+    if any(isinstance(mark, Passing) and abs(mark.at - at) < BESIDE for mark in own):
+        return iter(())
+    return _joining(posed, at, pinned, name, own)
+
+
+def _joining(posed: Posed, at: complex, pinned: tuple[str, ...], name: str, own: Sequence[Mark]) -> Iterator[Mark]:
     """Where the link runs on past a pin: its joining half, away from the other links pinned there and from ground."""
     others = [link for link in pinned if link != name]
     ways = [spot - at for link in others if link != FRAME for spot in posed.spots(link)]
-    lines = tuple(lines_of(body(posed, name)))
-    return passing(at, lines, ways + [-1j] * (FRAME in others))
+    return passing(at, tuple(lines_of(own)), ways + [-1j] * (FRAME in others))
 
 
 def _is_late(posed: Posed, joint: Prismatic, links: tuple[str, ...]) -> bool:

@@ -11,6 +11,7 @@ from ..board.paper.marks import AngleMark, Mark, Outline, Plate, Role, Segment, 
 from .symbols.shapes import NEAR
 
 BESIDE, SHORT = 0.4, 1.0  # mm beside the end of an arc, and short of it, that a line may run
+ALONG = 0.05  # rad between a ray and a line that stands for it
 BEYOND = 3.5  # mm from the arc to the end of its ray
 
 
@@ -26,15 +27,16 @@ def rayed(view: View, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
 def _missing(angle: AngleMark, lines: list[tuple[complex, complex]]) -> Iterator[Segment]:
     for way in (angle.start, angle.start + angle.sweep):
         end = angle.at + cmath.rect(angle.radius, way)
-        if not any(_passes(end, a, b) for a, b in lines):
+        if not any(_runs_to(end, way, a, b) for a, b in lines):
             tip = angle.at + cmath.rect(angle.radius + BEYOND, way)
             yield Segment(a=angle.at, b=tip, role=Role.CENTRE, step=angle.step)
 
 
-def _passes(spot: complex, a: complex, b: complex) -> bool:
-    """Whether a line runs by a place, or ends just short of it."""
+def _runs_to(spot: complex, way: float, a: complex, b: complex) -> bool:
+    """Whether a line of this direction runs by a place, or ends just short of it; what only crosses there is no ray."""
+    turned = (b - a) / abs(b - a) * cmath.rect(1.0, -way)
     off = (spot - a) * ((b - a) / abs(b - a)).conjugate()
-    return abs(off.imag) < BESIDE and -SHORT < off.real < abs(b - a) + SHORT
+    return abs(turned.imag) < ALONG and abs(off.imag) < BESIDE and -SHORT < off.real < abs(b - a) + SHORT
 
 
 def _lines(marks: Iterable[Mark]) -> Iterator[tuple[complex, complex]]:

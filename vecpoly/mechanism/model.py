@@ -105,6 +105,7 @@ class Mechanism:
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
     welded: tuple[tuple[str, str], ...] = ()  # rollers that turn idly, and the link of which each is taken as a part
     cams: tuple[CamProfile, ...] = ()  # contacts whose discs only stand for a profile, at one place after another
+    instead_of: Drive | None = None  # the drive that is given, where another link is thought to drive
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "frame", FrozenMap(dict(self.frame)))

@@ -18,6 +18,7 @@ from ..words import Words
 from .diagram import Diagram
 from .positions.sides import Sides
 
+FEET = "nmquwxyz"  # letters at tips of normal accelerations, in the order in which they are taken
 POLE = {View.VELOCITY: "p", View.ACCELERATION: "p′"}
 VECTOR = {View.VELOCITY: Kind.V, View.ACCELERATION: Kind.A}  # what a polygon is made of
 QUANTITY = {View.VELOCITY: Words("速度", "velocity"), View.ACCELERATION: Words("加速度", "acceleration")}
@@ -100,6 +101,13 @@ class Desk(Diagram):
             return f"k_{other}^′" if other else "k′"
         alike = taken or sum(number in (joint.guide, joint.block) for joint in turning) > 1
         return f"k_{number}{other if alike else ''}^′"
+
+    def n_tip(self, link: str, primes: int = 1) -> str:
+        """The letter at the tip of a normal acceleration: n_2′; another where a point has the letter N, whose tip is
+        n_2′."""
+        taken = {name[0].lower() for name in self.at}
+        letter = next((one for one in FEET if one not in taken), FEET[0])
+        return f"{letter}_{link}^" + ("′" if primes == 1 else f"{{{'′' * primes}}}")
 
     def symbol(self, rel: Rel) -> str:
         """The printed symbol of a vector: v_{C2B}, a^n_{CB}."""

@@ -17,7 +17,7 @@ from .kinematics.diagram.cam import letter_contacts, say_replaced
 from .kinematics.diagram.drive_arrow import draw_drive_arrow
 from .kinematics.diagram.links import draw_frame, draw_links, number_guide
 from .kinematics.doors import draw_drive, draw_group
-from .kinematics.position.drive import say_fixed_points, say_welded
+from .kinematics.position.drive import say_fixed_points, say_welded, stepped_off
 from .kinematics.position.standing import told_point
 from .kinematics.wanted import draw_wanted
 from .passes import stages
@@ -114,7 +114,8 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     for drive in held:
         draw_drive(desk, stage, drive)
     if position:
-        _further_points(desk, tuple(drive.link for drive in held))
+        on_lines = {stepped_off(desk, drive) for drive in held if not drive.slide}
+        _further_points(desk, tuple(drive.link for drive in held), on_lines)
         draw_frame(desk)
         draw_links(desk, tuple(drive.link for drive in held))
     else:

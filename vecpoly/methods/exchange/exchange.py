@@ -66,10 +66,15 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
     if not {Stage.VELOCITY, Stage.ACCELERATION, Stage.CENTRES} & set(stages):
         trial = trial_of(mech, drive, others[0])
         placed = replace(others[0], position=_position(trial))
-        return Exchange(driven_by(mech, drive, placed), said(trial, placed))
+        return Exchange(_thought(mech, drive, placed), said(trial, placed))
     trial, placed, factor = _liveliest(mech, drive, others)
     rated = _rated(trial, placed, factor, Stage.ACCELERATION in stages)
-    return Exchange(driven_by(mech, drive, rated), said(trial, rated))
+    return Exchange(_thought(mech, drive, rated), said(trial, rated))
+
+
+def _thought(mech: Mechanism, drive: Drive, other: Drive) -> Mechanism:
+    """The mechanism with the other link as the driver, which still knows its own drive."""
+    return replace(driven_by(mech, drive, other), instead_of=drive)
 
 
 def _liveliest(mech: Mechanism, drive: Drive, others: Sequence[Drive]) -> tuple[Trial, Drive, float]:

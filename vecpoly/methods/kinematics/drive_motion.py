@@ -66,10 +66,10 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     board.step(_turned(desk, drive, pivot, b), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
-    first = _normal(drive) if drive.accel else desk.tip_label(View.ACCELERATION, At(b))
+    first = desk.n_tip(drive.link) if drive.accel else desk.tip_label(View.ACCELERATION, At(b))
     board.write_length(View.ACCELERATION, f"p′ {first}", size)
     along = desk.towards(b, pivot)
-    tip = _first_vector(desk, View.ACCELERATION, b, along, size.value, _normal(drive) if drive.accel else "")
+    tip = _first_vector(desk, View.ACCELERATION, b, along, size.value, desk.n_tip(drive.link) if drive.accel else "")
     if not drive.accel:
         desk.known_as[View.ACCELERATION, At(b)] = (
             Words.same(f"${b}→{pivot}$"),
@@ -80,17 +80,14 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     images_of_link(desk, View.ACCELERATION, drive.link)
 
 
-def _normal(drive: Drive) -> str:
-    """The letter of the tip of its normal acceleration, with the link's number as those of others have it."""
-    return f"n_{drive.link}^′"
-
-
 def _tangential(desk: Desk, drive: Drive, pivot: str, b: str, tip: Points) -> None:
     """a_B^t = α_1 l_AB laid off from the end of a_B^n; it ends in b′."""
     board = desk.board
     eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
     size_t = board.compute(f"a^t_{{{desk.show(At(b))}}}", eps * desk.length(pivot, b), "m/s^2")
-    board.write_length(View.ACCELERATION, f"{_normal(drive)} {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
+    board.write_length(
+        View.ACCELERATION, f"{desk.n_tip(drive.link)} {desk.tip_label(View.ACCELERATION, At(b))}", size_t
+    )
     parts = [desk.key(Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
     end = board.lay_off(
         tip,
@@ -106,7 +103,7 @@ def _tangential(desk: Desk, drive: Drive, pivot: str, b: str, tip: Points) -> No
 
 def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
     """The directions of a_B^n and a_B^t, or of a_B at constant speed."""
-    tip, link, n = desk.tip_label(View.ACCELERATION, At(b)), drive.link, _normal(drive)
+    tip, link, n = desk.tip_label(View.ACCELERATION, At(b)), drive.link, desk.n_tip(drive.link)
     if drive.accel:
         return Words(
             f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；"

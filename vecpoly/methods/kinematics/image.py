@@ -42,6 +42,8 @@ def imaged(desk: Desk, view: View, link: str, at: At) -> None:
     turn = desk.turns[omega(link)]
     if turn.never and held:
         desk.board.plot(view, desk.put_tip(view, at, desk.tip(view, held[0][1])), desk.tip_label(view, at))
+    elif len(held) >= 2 and _is_one(desk, view, held[0][1], held[1][1]):
+        _all_alike(desk, view, link, at, held)
     elif len(held) >= 2:
         _by_image(desk, view, link, at, held)
     elif held and abs(complex(nominal(desk.where(at) - desk.where(held[0][1])))) < _ONE_PLACE:
@@ -90,14 +92,37 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     letter_at_pole(desk, view, p_at, q_at)
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     corners = desk.where(p_at), desk.where(q_at), desk.where(at)
-    spread = abs(complex(nominal(tips[1] - tips[0])))
-    corner = desk.put_tip(view, at, similar(*corners, *tips) if spread < NO_LENGTH else board.image(corners, tips))
+    corner = desk.put_tip(view, at, board.image(corners, tips))
     for tip in tips:
         board.join(view, tip, corner, Role.DIRECTION)
     board.join(view, tips[0], tips[1], Role.DIRECTION)
     board.tint(view, (*tips, corner))
     board.plot(view, corner, letters[2])
     board.arrow(view, 0j, corner, Role.RESULT, key=desk.key(Rel(VECTOR[view], at)))
+
+
+def _is_one(desk: Desk, view: View, p: At, q: At) -> bool:
+    """Whether two tips are one: no figure similar to the link stands on them."""
+    return abs(complex(nominal(desk.tip(view, q) - desk.tip(view, p)))) < NO_LENGTH
+
+
+def _all_alike(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, At]]) -> None:
+    """v_X = v_P: two points of the link have one vector, and so has every other."""
+    board, label, (p_at, q_at) = desk.board, desk.tip_label(view, at), (one for _, one in held[:2])
+    one, other = desk.tip_label(view, p_at), desk.tip_label(view, q_at)
+    board.step(
+        Words(
+            f"${other}$ 与 ${one}$ 重合，此时构件 {link} 上各点的{QUANTITY[view].zh}相同，故 ${label}$ 也与之重合。",
+            f"${other}$ coincides with ${one}$: all points of link {link} have the same {QUANTITY[view].en} here, so "
+            f"${label}$ coincides with them, too.",
+        ),
+        view,
+    )
+    letter_at_pole(desk, view, p_at, q_at)
+    corners = desk.where(p_at), desk.where(q_at), desk.where(at)
+    tip = desk.put_tip(view, at, similar(*corners, desk.tip(view, p_at), desk.tip(view, q_at)))
+    board.plot(view, tip, label)
+    board.arrow(view, 0j, tip, Role.RESULT, key=desk.key(Rel(VECTOR[view], at)))
 
 
 def _between(desk: Desk, at: tuple[At, At, At], line: str, back: str) -> Words:

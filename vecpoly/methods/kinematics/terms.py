@@ -74,7 +74,7 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
 def normal(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
     rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
-    return normal_of(desk, rel, about.point, link, _n_tip(desk, link))
+    return normal_of(desk, rel, about.point, link, desk.n_tip(link))
 
 
 def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
@@ -170,7 +170,3 @@ def ref_at(desk: Desk, view: View, about: At, link: str) -> At | None:
     if view is View.ACCELERATION and desk.is_tip(view, own):
         return own
     return None if desk.at_rest(view, about) else desk.canonical(about)
-
-
-def _n_tip(desk: Desk, link: str) -> str:
-    return f"n_{link}^′"

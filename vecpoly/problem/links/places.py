@@ -15,7 +15,8 @@ from ...words import Words
 from ..schema.faults import meant
 from ..text.source import Value
 from ..values.seen import OffItsGuide, SetOff
-from .draft import ANGLE_FROM, PLACED, Draft, ends_of, letters_of, ray
+from .draft import ANGLE_FROM, PLACED, Draft, ends_of, ray
+from .line_words import line_words
 from .starts import is_phased, phased
 
 _SIDE = pattern(rf"(left|right) of ({LETTER})({LETTER})")
@@ -121,35 +122,21 @@ def _note_offsets(
     if not beside:
         draft.note(f"l_{origin}{point}", abs(at.si), distance)
         if at.si < 0:
-            draft.say(
-                Words(
-                    f"${subscripted(point)}$ 在 ${data['along']}$ {produced.zh}",
-                    f"${subscripted(point)}$ lies on ${data['along']}${produced.en}",
-                )
-            )
+            line, point = line_words(draft, str(data["along"]), origin), subscripted(point)
+            draft.say(Words(f"${point}$ 在{line.zh}{produced.zh}", f"${point}$ lies on {line.en}{produced.en}"))
     elif below:
         draft.note(f"l_{below}{point}", abs(beside), away)
     else:
         zh, en = ("左", "left") if (side == "left") is (beside > 0) else ("右", "right")
-        along, named = str(data["along"]), subscripted(point)
-        guide = len(along) == 1 or along == "line"
-        line, line_en = (
-            (f"导槽中线（自 ${origin}$ 起）", f"the slot's line from ${origin}$")
-            if guide
-            else (f" ${along}$ ", f"${along}$")
-        )
+        line, named = line_words(draft, str(data["along"]), origin), subscripted(point)
+        back = "的反向延长线" if at.si < 0 else ""
         draft.say(
             Words(
-                f"${named}$ 沿{line}{'的反向延长线' if at.si < 0 else ''}距 ${origin}$ {distance}，位于其{zh}侧 {away}",
-                f"${named}$ lies {distance} from ${origin}$ along {line_en}{produced.en} and {away} to its {en}",
+                f"${named}$ 沿{line.zh}{back}距 ${origin}$ {distance}，位于其{zh}侧 {away}",
+                f"${named}$ lies {distance} from ${origin}$ along {line.en}{produced.en} and {away} to its {en}",
             ),
-            None if guide else _set_off(point, along, at.si, beside if side == "left" else -beside),
+            SetOff(point=point, start=origin, along=at.si, left=beside if side == "left" else -beside),
         )
-
-
-def _set_off(point: str, line: str, along: float, left: float) -> SetOff:
-    start, end = letters_of(line)
-    return SetOff(point=point, start=start, end=end, along=along, left=left)
 
 
 def _by_angle(draft: Draft, point: str, data: Mapping[str, Value], lengths: list[str]) -> tuple[Placement, complex]:

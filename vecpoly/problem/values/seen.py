@@ -12,12 +12,10 @@ from ...mechanism.travel import upright
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SetOff:
-    """A point is so far along a line of its link, from start towards end (behind start: negative), and so far to its
-    left."""
+    """A point is so far along a line of its link, from start on (behind it: negative), and so far to its left."""
 
     point: str
     start: str
-    end: str
     along: float
     left: float
 

@@ -9,7 +9,7 @@ from ...board.construction import Figure
 from ...board.paper.extent import bounds
 from ...board.paper.marks import Ground, Mark, Point, Role, Segment, TurnArrow
 from ...foundation.patterns import pattern
-from ...mechanism.model import FRAME, Prismatic
+from ...mechanism.model import FRAME, Mechanism, Prismatic
 from ...problem.problem import Problem
 from ...problem.values.seen import Counted
 from .lines import span
@@ -38,9 +38,16 @@ def coordinates_of_guides(problem: Problem, figure: Figure) -> Iterator[Mark]:
             continue
         if abs(datum.si) > _LEAST and pin in spots:
             way = _AXES[axis]
-            if abs((way.conjugate() * (spots[pin] - origin)).real - datum.si / mm) < _NEAR:
-                drawn += _measured(drawn, _from(known, way, origin), spots[pin], way, datum.symbol)
+            past = datum.si / mm - (way.conjugate() * (spots[pin] - origin)).real
+            if any(abs(abs(past) - off / mm) < _NEAR for off in _offsets(mech, pin)):
+                drawn += _measured(drawn, _from(known, way, origin), spots[pin] + past * way, way, datum.symbol)
     yield from drawn[len(figure.marks) :]
+
+
+def _offsets(mech: Mechanism, pin: str) -> Iterator[float]:
+    """How far (m) a pin is from the fixed guides along which its block slides."""
+    yield 0.0
+    yield from (abs(j.offset) for j in mech.joints if isinstance(j, Prismatic) and j.guide == FRAME and j.pin == pin)
 
 
 def _slid(problem: Problem) -> Mapping[str, tuple[str, str]]:

@@ -23,12 +23,17 @@ _CLOSE = 0.02  # rad
 def mechanism(problem: Problem, figure: Figure) -> Iterator[Mark]:
     """What is given of guides, at the places of the sketch."""
     mech, spots = problem.mechanism, {m.label: m.at for m in figure.marks if isinstance(m, Point) and m.label}
-    guides = [j for j in mech.joints if isinstance(j, Prismatic) and j.guide != FRAME and not j.pin_in_slot]
+    slides = [j for j in mech.joints if isinstance(j, Prismatic) and not j.pin_in_slot]
+    guides = [j for j in slides if j.guide != FRAME]
+    named = any(isinstance(datum.seen, Beside) for datum in problem.given.data)
+    for joint in slides if named else ():
+        if joint.guide == FRAME and joint.offset and joint.pin in spots:
+            along = cmath.rect(1.0, joint.direction)
+            yield from _from_pin(spots[joint.pin], along, joint.offset / figure.scale.value, -along)
     if not guides:
         return
     motion = sample(mech, None, mech.drive.position).motion
     turns = {joint: float(motion.angle(joint.guide)) + joint.direction for joint in guides}
-    named = any(isinstance(datum.seen, Beside) for datum in problem.given.data)
     for joint in guides if named else ():
         yield from _offset(mech, joint, cmath.rect(1.0, turns[joint]), spots, figure.scale.value)
     for datum in problem.given.data:
@@ -47,14 +52,17 @@ def _offset(
         return
     ray = spots[joint.pin] - spots[pivot]
     if joint.offset:
-        foot = spots[joint.pin] - 1j * along * joint.offset / mm
-        yield from span(
-            spots[joint.pin], foot, "e", _BESIDE * along * (1 if (along.conjugate() * ray).real > 0 else -1)
-        )
+        away = along if (along.conjugate() * ray).real > 0 else -along
+        yield from _from_pin(spots[joint.pin], along, joint.offset / mm, away)
         return
     foot = spots[pivot] + 1j * along * (along.conjugate() * ray).imag
     ahead = along if (along.conjugate() * ray).real > 0 else -along
     yield from span(spots[pivot], foot, "e", _BESIDE * ahead)
+
+
+def _from_pin(pin: complex, along: complex, off: float, away: complex) -> Iterator[Mark]:
+    """e from a pin, so far to the left of its guide, to the guide."""
+    yield from span(pin, pin - 1j * along * off, "e", _BESIDE * away)
 
 
 def _to_guide(at: complex, end: complex, turn: float, given: float) -> Iterator[Mark]:

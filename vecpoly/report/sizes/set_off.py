@@ -12,7 +12,7 @@ from ...problem.problem import Problem
 from ...problem.values.seen import Leaning, SetOff
 from .lines import AXIS, angle, span
 
-_NEAR, _BESIDE, _SMALL = 0.5, 7.0, 0.02  # mm from the place that is told; mm from the bar to a dimension; rad
+_LIKE, _BESIDE, _SMALL = 1e-3, 7.0, 0.02  # of a length that is told; mm from the line to a dimension; rad
 
 
 def set_off(problem: Problem, figure: Figure) -> Iterator[Mark]:
@@ -36,13 +36,15 @@ def in_degrees(turn: float) -> str:
 
 
 def _beside(told: SetOff, spots: Mapping[str, complex], mm: float) -> Iterator[Mark]:
-    """The way along the bar and that square to it; mm: of the mechanism, in m, for one on paper."""
-    if not {told.point, told.start, told.end} <= set(spots):
+    """The way along the line through its start and that square to it, which together lead to the point; mm: of the
+    mechanism, in m, for one on paper."""
+    if not {told.point, told.start} <= set(spots):
         return
-    a, b, at = spots[told.start], spots[told.end], spots[told.point]
-    way = (b - a) / abs(b - a)
-    foot = a + way * told.along / mm
-    if abs(foot + 1j * way * told.left / mm - at) < _NEAR:
+    a, at = spots[told.start], spots[told.point]
+    way = (at - a) * mm / complex(told.along, told.left)
+    if abs(abs(way) - 1.0) < _LIKE:
+        way /= abs(way)
+        foot = a + way * told.along / mm
         other = -1j * way if told.left > 0 else 1j * way
         yield from span(a, foot, _in_mm(told.along), _BESIDE * other)
         yield from span(foot, at, _in_mm(told.left))

@@ -21,6 +21,7 @@ from .machines import cam, clamp, engine, field, shaking
 from .offsets import mechanism
 from .radii import radii
 from .set_off import set_off
+from .travels import travels
 
 
 def sized(problem: Problem, figure: Figure) -> Figure:
@@ -41,7 +42,7 @@ def _sizes(problem: Problem, figure: Figure) -> Iterator[Mark]:
         case Cam() as device:
             yield from cam(device, figure)
         case Mechanism():
-            for sizes in (mechanism, radii, coordinates_of_guides, set_off):
+            for sizes in (mechanism, radii, coordinates_of_guides, travels, set_off):
                 yield from sizes(problem, figure)
         case Design() as device:
             yield from design(device, problem.statement.zh, figure)

@@ -124,7 +124,7 @@ def _turn(desk: Desk, view: View, plate: str, about: At, to: At, closed: Closed)
             desk, plate, about.point, to.point, closed.ends[rel.key], letters(desk, view, about, to), desk.symbol(rel)
         )
     else:
-        line = f"n_{plate}^{{′′′}} {desk.tip_label(view, to)}"
+        line = f"{desk.n_tip(plate, 3)} {desk.tip_label(view, to)}"
         angular_acceleration(desk, plate, about.point, to.point, closed.ends[rel.key], line, desk.symbol(rel))
 
 

@@ -86,8 +86,7 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
 
 def _normal(desk: Desk, plate: str, to: At, ref: At, primes: int) -> Term:
     """a^n of two points of the central link."""
-    tip = f"n_{plate}^{{{'′' * primes}}}"
-    return normal_of(desk, Rel(Kind.AN, to, ref), ref.point, plate, tip)
+    return normal_of(desk, Rel(Kind.AN, to, ref), ref.point, plate, desk.n_tip(plate, primes))
 
 
 def to_special(desk: Desk, view: View, star: Star, leg: Axial, special: At, primes: int) -> tuple[Chain, Chain]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ....board.construction import View
 from ....board.paper.marks import AngleMark, Arc, FixedGuide, Role, Segment, Slot
-from ....mechanism.model import FRAME, Drive, Prismatic
+from ....mechanism.model import FRAME, Drive, Prismatic, Revolute
 from ....names import At, Kind, Rel
 from ....plane import nominal
 from ...desk import Desk
@@ -27,9 +27,10 @@ APART = 4.0  # mm between the arrow and the arc of a reflex angle
 
 
 def draw_drive_arrow(desk: Desk) -> None:
-    """The curved arrows with ω and α at the pivot of each driving link, the arrow with v before its block; none where
-    that link is only thought to drive."""
-    for drive in () if desk.thought else desk.mech.drives:
+    """The curved arrows with ω and α at the pivot of each driving link, the arrow with v before its block; of a link
+    that is only thought to drive none, but at the hinge in which the given drive acts."""
+    given = (desk.mech.instead_of,) if desk.thought else desk.mech.drives
+    for drive in (one for one in given if one is not None):
         (_before if drive.slide else _draw)(desk, drive)
 
 
@@ -47,15 +48,21 @@ def _before(desk: Desk, drive: Drive) -> None:
 
 
 def _draw(desk: Desk, drive: Drive) -> None:
-    pivot, _ = desk.crank(drive.link)
+    pivot = _hinge(desk, drive) if drive.between else desk.crank(drive.link)[0]
+    pair = f"{{{drive.link}{drive.on}}}" if drive.between else drive.link
     at = complex(nominal(desk.at[pivot]))
     radius, taken = _arrow_radius(desk, at), _taken(desk, at, drive.position)
     for kind, rate in (("ω", drive.rate), ("α", drive.accel)):
         if kind == "ω" or rate:
             middle = _free_side(at, radius, taken)
             start = middle - HALF if rate > 0 else middle + HALF
-            desk.board.curved_arrow(View.MECHANISM, at, radius, start, rate > 0, f"{kind}_{drive.link}")
+            desk.board.curved_arrow(View.MECHANISM, at, radius, start, rate > 0, f"{kind}_{pair}")
             taken = np.append(taken, at + radius * np.exp(1j * (middle + np.linspace(-1.3, 1.3, 18))))
+
+
+def _hinge(desk: Desk, drive: Drive) -> str:
+    """The pin at which a drive acts between two moving links."""
+    return next(j.point for j in desk.mech.joints if isinstance(j, Revolute) and {j.a, j.b} == drive.pair)
 
 
 def _arrow_radius(desk: Desk, pivot: complex) -> float:

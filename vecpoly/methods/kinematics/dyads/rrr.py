@@ -77,7 +77,7 @@ def turn_of_link(desk: Desk, view: View, ends: Ends, to: At, about: str, link: s
     if view is View.VELOCITY:
         angular_velocity(desk, link, about, to.point, ends[rel.key], letters(desk, view, ref, to), desk.symbol(rel))
     else:
-        line = f"n_{link}^′ {desk.tip_label(view, to)}"
+        line = f"{desk.n_tip(link)} {desk.tip_label(view, to)}"
         angular_acceleration(desk, link, about, to.point, ends[rel.key], line, desk.symbol(rel))
 
 

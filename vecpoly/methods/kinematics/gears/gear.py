@@ -73,7 +73,7 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
 
     closed = mesh(desk, joint, gear, led, Words(f"，列方程求 $α_{gear}$：", f"; write the equation for $α_{gear}$:"))
     angular_acceleration(
-        desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", desk.symbol(rel)
+        desk, gear, c, h, closed.ends[rel.key], f"{desk.n_tip(gear)} {desk.tip_label(view, own)}", desk.symbol(rel)
     )
     images_of_link(desk, view, gear)
 

@@ -141,14 +141,14 @@ def _alpha_from_two(desk: Desk, link: str, one: tuple[str, At], two: tuple[str, 
     eq = Equation(left=(known(desk, view, q_at),), right=parts if rest else (known(desk, view, p_at), *parts))
     board.equate(eq.table())
     closed = close(board, view, 0j, eq)
-    board.plot(view, closed.ends[tangential.key][0], f"n_{link}^′")
+    board.plot(view, closed.ends[tangential.key][0], desk.n_tip(link))
     angular_acceleration(
         desk,
         link,
         p,
         q,
         closed.ends[tangential.key],
-        f"n_{link}^′ {desk.tip_label(view, q_at)}",
+        f"{desk.n_tip(link)} {desk.tip_label(view, q_at)}",
         desk.symbol(tangential),
     )
 

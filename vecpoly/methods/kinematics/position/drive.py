@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from ...diagram import Pose
 from ...registry import Stage, method
 
 SEEN = 0.005  # rad: a smaller angle is no arc on paper
+ON_LINE = 1e-6  # rad: what is as near to φ lies on its line
 
 
 @method(
@@ -44,10 +46,30 @@ def position_crank(desk: Desk, drive: Drive) -> None:
         _angle(desk, pivot, drive, max((abs(desk.mm(abs(link.points[p] - local))) for p in others), default=40.0))
 
 
+def stepped_off(desk: Desk, drive: Drive) -> str:
+    """The first point on the line through the pivot at φ; none where all are set off from it."""
+    pivot, others = desk.crank(drive.link)
+    points = desk.mech.link(drive.link).points
+    arms = {name: points[name] - points[pivot] for name in others}
+    return next((name for name, arm in arms.items() if abs(arm.imag) < ON_LINE * abs(arm)), "")
+
+
 def _is_bar(desk: Desk, drive: Drive) -> bool:
-    """Whether a link without a further point is a guide bar through its pivot, which stands at φ."""
-    guides = (j for j in desk.mech.joints if isinstance(j, Prismatic) and j.guide == drive.link)
-    return any(abs(math.sin(j.direction)) < SEEN and not j.offset for j in guides)
+    """Whether the link is a guide bar through its pivot, which stands at φ whether or not it has a further point."""
+    return any(not past and not guide.offset for guide, past in _guides_along(desk, drive))
+
+
+def _is_beside(desk: Desk, drive: Drive) -> bool:
+    """Whether a guide on the link runs along φ, but past the pivot."""
+    return any(past for _, past in _guides_along(desk, drive))
+
+
+def _guides_along(desk: Desk, drive: Drive) -> Iterator[tuple[Prismatic, bool]]:
+    """The link's own guides in the direction φ, and whether they run past its pivot."""
+    local = desk.mech.link(drive.link).points[desk.crank(drive.link)[0]]
+    for joint in desk.mech.joints:
+        if isinstance(joint, Prismatic) and joint.guide == drive.link and abs(math.sin(joint.direction)) < SEEN:
+            yield joint, abs((joint.origin - local).imag) > ON_LINE
 
 
 def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
@@ -83,15 +105,30 @@ def _at_angle(desk: Desk, drive: Drive, others: list[str], phi: str) -> Words:
     """phi: its value as printed; nothing where it was found by trial."""
     pivot, _ = desk.crank(drive.link)
     found, found_en = ("试得的", "the ") if not phi else ("", "")
-    return Words(
-        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi} 的直线，为构件 {drive.link}",
-        f"through the fixed pivot ${pivot}$ draw link {drive.link} at "
+    line = Words(
+        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi} 的直线",
         f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to the $x$ axis",
-    ) + (_stepped_off(desk, drive, pivot, others[0]) if others else Words("。", "."))
+    )
+    if others and not (b := stepped_off(desk, drive)):
+        return _direction(desk, drive, pivot, line)
+    of_link = Words(
+        line.zh + f"，为构件 {drive.link}", f"through the fixed pivot ${pivot}$ draw link {drive.link} at " + line.en
+    )
+    return of_link + (_to_point(desk, drive, pivot, b) if others else Words("。", "."))
 
 
-def _stepped_off(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
-    """On which side of the pivot the first point lies, where it is not that to which φ points: φ of BA, from B to A."""
+def _direction(desk: Desk, drive: Drive, pivot: str, line: Words) -> Words:
+    """A link all of whose points are set off from the line at φ stands by it."""
+    beside = _is_beside(desk, drive)
+    return Words(
+        f"{line.zh}，以定构件 {drive.link} 的方位{'（其导路与此线平行）' if beside else ''}。",
+        f"through the fixed pivot ${pivot}$ draw the line at {line.en}, by which link {drive.link} stands"
+        f"{' (its guide is parallel to this line)' if beside else ''}.",
+    )
+
+
+def _to_point(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
+    """On which side of the pivot the point lies, where it is not that to which φ points: φ of BA, from B to A."""
     points, phi = desk.mech.link(drive.link).points, f"$φ_{drive.link}$"
     size = f"${pivot}{b} = l_{desk.bar(drive.link, pivot, b)}/μ_l$"
     if (points[b] - points[pivot]).real >= 0.0:
@@ -113,19 +150,30 @@ def position_slide(desk: Desk, drive: Drive) -> None:
     """Step off the travel along the fixed guide."""
     joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
     board = desk.board
-    start = counted_from(joint)
-    board.step(
-        Words(
-            f"取 $μ_l$，沿固定导路{start.zh}截取构件 {drive.link} 的位移 $s_{drive.link}/μ_l$，得 ${joint.pin}$。",
-            f"To the scale $μ_l$ step off the travel $s_{drive.link}/μ_l$ of link {drive.link} along its "
-            f"fixed guide {start.en}: ${joint.pin}$.",
-        ),
-        View.MECHANISM,
-    )
+    board.step(_slid(joint), View.MECHANISM)
     line = desk.locus(joint, drive.link, joint.pin)
     travel = board.given(drive.position, drive.key) / board.scales[View.MECHANISM].value
     desk.letter(joint.pin, board.lay_off(line.at, line.along, travel))
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
+
+
+def _slid(joint: Prismatic) -> Words:
+    """Along the guide, or along the parallel on which a pin beside it moves."""
+    start, size, pin = counted_from(joint), f"$s_{joint.block}/μ_l$", joint.pin
+    if not joint.offset:
+        return Words(
+            f"取 $μ_l$，沿固定导路{start.zh}截取构件 {joint.block} 的位移 {size}，得 ${pin}$。",
+            f"To the scale $μ_l$ step off the travel {size} of link {joint.block} along its fixed guide {start.en}: "
+            f"${pin}$.",
+        )
+    side, side_en = ("左", "left") if joint.offset > 0 else ("右", "right")
+    foot, foot_en = ("的垂足起", " (its foot on the parallel)") if joint.through else ("", "")
+    return Words(
+        f"取 $μ_l$，在固定导路{side}侧作与其相距 $e/μ_l$ 的平行线，{start.zh}{foot}沿其截取构件 {joint.block} 的位移 "
+        f"{size}，得 ${pin}$。",
+        f"To the scale $μ_l$ draw the parallel to the fixed guide of link {joint.block}, $e/μ_l$ to its {side_en}, and "
+        f"step off the travel {size} on it {start.en}{foot_en}: ${pin}$.",
+    )
 
 
 def say_fixed_points(desk: Desk) -> None:
