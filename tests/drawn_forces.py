@@ -6,13 +6,13 @@ import numpy as np
 
 from tests.drawn_library import drawn, ids
 from tests.each import Later
-from tests.found import FOUND
+from tests.found import FORCES
 from vecpoly.board.construction import Figure, Reading, View
 from vecpoly.board.paper.marks import Vector
 from vecpoly.mechanism.loads import Force, Moment
 from vecpoly.oracle.forces import forces
 
-IDS = Later(lambda: [*ids(view=View.FORCE), *FOUND])  # and members that were found by lot
+IDS = Later(lambda: [*ids(view=View.FORCE), *FORCES])  # and members that were found by lot
 NEAR = 1e-6  # mm
 NONE = 1e-6  # N: no force
 

@@ -8,3 +8,4 @@ from pathlib import Path
 
 _FILES = sorted((Path(__file__).parent / "data" / "found").glob("*/*.yaml"))
 FOUND: Mapping[str, str] = {file.stem: file.read_text(encoding="utf-8") for file in _FILES}
+FORCES = tuple(file.stem for file in _FILES if file.parent.name == "forces")  # about loads, and devices

@@ -38,9 +38,9 @@ def _figures(name: str) -> list[Figure]:
 def test_what_is_no_image_of_a_link_is_not_called_one() -> None:
     """The triangle of the three circles was an 'image of a link', its trial weights concentrated masses."""
     told = _told("field-four-runs")
-    assert {"triangle between the arcs", "trial weight"} <= told
+    assert {"triangle of error between the arcs", "trial weight"} <= told
     assert not told & {"image of a link", "concentrated mass"}
-    assert "image of a link" in _told("3-9") and "triangle between the arcs" not in _told("3-9")
+    assert "image of a link" in _told("3-9") and "triangle of error between the arcs" not in _told("3-9")
 
 
 def _told(name: str) -> set[str]:

@@ -22,7 +22,7 @@ def share(key: AnswerKey, name: str) -> float:
 
 @pytest.mark.parametrize(
     ("problem", "name"),
-    [("4-3a", "eta"), ("7-2a", "M_r"), ("3-1b", "P_23"), ("class-iii", "v_I"), ("3-3", "omega_ratio_13")],
+    [("4-3a", "eta"), ("7-2a", "M_r"), ("3-1b", "P_23"), ("class-iii", "v_L"), ("3-3", "omega_ratio_13")],
 )
 def test_what_is_worked_out_from_others_is_worth_two_points(problem: str, name: str) -> None:
     key = key_of(problem)

@@ -35,6 +35,8 @@ class Compass(Instruments):
         """Leave of a circle what is needed to see its meetings: an arc past those that are near each other, a wider one
         about a single point, where it is touched."""
         middle, far = spot(centre), amount(radius)
+        if not float(far):  # by somebody's mistake: there is no circle
+            return
         beyond = TOUCHED if len(at) == 1 else min(PAST / max(float(far), PAST), TOUCHED)
         for first, last in _near(at, complex(middle)):
             start, end = spot(first) - middle, spot(last) - middle

@@ -8,6 +8,7 @@ from math import degrees
 
 from ...board.construction import Figure
 from ...board.paper.marks import AngleMark, Mark, Point
+from ...names import subscripted
 from ...problem.problem import Problem
 from ...problem.values.seen import Leaning, SetOff
 from .lines import AXIS, angle, span
@@ -38,9 +39,10 @@ def in_degrees(turn: float) -> str:
 def _beside(told: SetOff, spots: Mapping[str, complex], mm: float) -> Iterator[Mark]:
     """The way along the line through its start and that square to it, which together lead to the point; mm: of the
     mechanism, in m, for one on paper."""
-    if not {told.point, told.start} <= set(spots):
+    start, point = subscripted(told.start), subscripted(told.point)
+    if not {start, point} <= set(spots):
         return
-    a, at = spots[told.start], spots[told.point]
+    a, at = spots[start], spots[point]
     way = (at - a) * mm / complex(told.along, told.left)
     if abs(abs(way) - 1.0) < _LIKE:
         way /= abs(way)
