@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from math import tau
 
-from ...board.construction import Figure
-from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Mark, Plate, Role, Vector
+from ...board.construction import Figure, View
+from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Mark, Plate, Role, Segment, Vector
 from ...words import Words
 from .entry import HALF, MIDDLE, WIDE
 from .kind import Kind
 from .met import (
+    Met,
     allowed,
     at_infinity,
     bored,
@@ -66,7 +67,20 @@ def _mass(mark: Mark) -> Marks:
     return (Disc(centre=MIDDLE, radius=SMALL, owner="mass"),) if isinstance(mark, Disc) else _ring(mark)
 
 
+def _beside_target(role: Role, *types: type[Mark]) -> Met:
+    """Whether it is drawn so where the path of a point is held against a curve that is given."""
+    drawn, path = traced(role, *types), traced(Role.CONSTRUCTION, Curve)
+
+    def met(figure: Figure, mark: Mark) -> bool:
+        return figure.view is View.MECHANISM and drawn(figure, mark) and any(path(figure, one) for one in figure.marks)
+
+    return met
+
+
 CURVES: tuple[Kind, ...] = (
+    Kind(words=Words("点的轨迹", "path of a point"), met=_beside_target(Role.CONSTRUCTION, Curve), sample=line),
+    Kind(words=Words("给定曲线", "curve that is given"), met=_beside_target(Role.HIDDEN, Curve), sample=line),
+    Kind(words=Words("最大偏差", "maximum deviation"), met=_beside_target(Role.RESULT, Segment), sample=line),
     Kind(
         words=Words("廓线的曲率圆", "circle of curvature of the profile"),
         met=osculates,
