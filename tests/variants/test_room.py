@@ -116,8 +116,9 @@ device: epicyclic
 data: {sun: 30, planet: 20, ring: 70, m: 2 mm, omega_1: 15 rad/s ccw, omega_3: 0 rad/s}
 find: [omega_H, i_1H]
 vary: {omega_1: 10 rad/s ccw .. 25 rad/s ccw by 0.5 rad/s}
+gate: {deviation: 10 %}
 """
-    with pytest.raises(VecpolyError, match=r"at most 15 %\) = omega_H \d+ %, i_1H \d+ %") as told:
+    with pytest.raises(VecpolyError, match=r"at most 10 %\) = omega_H \d+ %, i_1H \d+ %") as told:
         pilot(loads(text))
     assert float(str(told.value.numbers["i_1H"])) > 0.15
 
