@@ -148,7 +148,8 @@ def _about_the_guide(bench: Bench, cam: Cam) -> None:
 def _contact_off(bench: Bench, cam: Cam, spot: Spot, named: Named) -> None:
     board = bench.board
     at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late)
-    pole = board.lay_off(0j, np.exp(-1j * cam.sense * spot.phi), np.abs(at.slope) / board.scale_of(VIEW).value)
+    side = cam.sense * spot.piece.rises  # the pole lies where the turning cam goes the way of the follower
+    pole = board.lay_off(0j, side * np.exp(-1j * cam.sense * spot.phi), np.abs(at.slope) / board.scale_of(VIEW).value)
     letter = f"P_{named.symbol[-1]}"
     board.join(VIEW, 0j, pole, Role.CONSTRUCTION)
     board.plot(VIEW, pole, letter, Dot.POINT)
