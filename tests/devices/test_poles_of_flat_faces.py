@@ -1,5 +1,5 @@
-"""Where the contact of a flat face is farthest from its guide: OP = ds/dφ, on the side to which the cam's own points move
-as the follower does, P being the pole of the two."""
+"""Where the contact of a flat face is farthest from its guide: OP = ds/dφ, on the side on which the cam moves as the
+follower does, P being the pole of the two."""
 
 from __future__ import annotations
 
