@@ -102,7 +102,8 @@ def _along_axis(
     letter, place = about
     named = _sought(st, leg)
     if not turning.way:
-        st.board.remark(without_moment(f"${named.symbol}$"))
+        known = without_moment(f"${named.symbol}$")
+        st.board.remark(Words(known.zh, f" Here{known.en}"))
         return 0j
     end = foot(leg.line, place)
     symbol = arm_about_point(named.symbol, letter)
