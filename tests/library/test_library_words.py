@@ -9,8 +9,8 @@ import pytest
 
 from tests.drawn_library import IDS, drawn, said
 from tests.each import each
-from tests.found import FOUND
 from tests.foreign_words import SYMBOL, foreign
+from tests.found import FOUND
 from tests.laws import few
 from vecpoly.cycle.facts.found import facts
 from vecpoly.cycle.facts.sentences import sentences as facts_told

@@ -89,6 +89,8 @@ def test_a_relative_velocity_too_short_to_be_read_is_said_to_be_about_zero(name:
             continue
         for symbol, size in zip(step.equation.symbols, step.equation.magnitudes, strict=True):
             stood = desk.board.ledger.vector(View.VELOCITY, re.sub(r"[{}]", "", symbol))
+            if "+" in symbol:  # two vectors along one line, drawn as one: neither of them is known by it
+                continue
             if size == "?" and stood is not None and len(re.sub(r"\d", "", symbol)) > len("v_{CB}") - 1:
                 near = too_short(abs(complex(stood.end) - complex(stood.start)))
                 assert near == ("≈ 0" in told[step.number]) or not near, symbol
