@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+import vecpoly
 from tests.drawn_library import DRAFTED, IDS, drawn
 from tests.drawn_sheets import laid
 from tests.each import each
@@ -156,3 +157,19 @@ def test_lines_of_one_look_are_told_by_what_they_are_where_they_stand(
     figures = [one.figure for sheet in laid(name) for one in sheet.figures if one.figure is not None]
     found = {one.words.en for one in entries(figures, "en")}
     assert told <= found and not untold & found
+
+
+def test_a_hole_that_is_shown_along_the_shaft_of_a_rotor_is_explained_as_from_its_end() -> None:
+    """Each of its figures may come on a sheet of its own."""
+    masses = {
+        "1": {"m": "6 kg", "r": "103 mm", "at": "101 deg", "z": "1058 mm"},
+        "2": {"hole": "39 mm", "r": "284 mm", "at": "267 deg", "z": "60 mm"},
+    }
+    planes = {"I": {"z": "-93 mm", "r": "250 mm"}, "II": {"z": "245 mm", "r": "250 mm"}}
+    data = {"disc": {"b": "40 mm", "density": "7850 kg/m^3"}, "masses": masses, "correct": planes}
+    asked = {"id": "t", "title": "t", "device": "rotor", "data": data, "find": ["m_bI"]}
+    figures = vecpoly.problem(asked).solve(by="exact").construction.figures
+    (along,) = (figure for figure in figures if figure.view is View.MECHANISM)
+    assert "hole to drill, negative mass" in {
+        kind.words.en for mark in along.marks for kind in KINDS if kind.met(along, mark)
+    }

@@ -10,6 +10,7 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
+from tests.found import FOUND
 from tests.framed_answers import rows_in
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Step, View
@@ -70,7 +71,7 @@ def test_nothing_is_divided_by_one_nor_are_freedoms_of_nothing_subtracted(name: 
             assert not (line.startswith("F = 3n") and re.search(r"[−+] 0 [−+] 0 |\+ 0 = ", line)), line
 
 
-@each((*IDS, "guided-couple", "plate-two-slides"))
+@each((*IDS, *FOUND, "guided-couple", "plate-two-slides"))
 def test_the_normals_of_the_slides_of_a_group_are_told_in_one_step(name: str) -> None:
     for one, other in pairwise(drawn(name).construction.steps):
         assert not (NORMAL.match(bare(one.words.en)) and NORMAL.match(bare(other.words.en))), other.words.en
@@ -88,6 +89,8 @@ def test_a_relative_velocity_too_short_to_be_read_is_said_to_be_about_zero(name:
             continue
         for symbol, size in zip(step.equation.symbols, step.equation.magnitudes, strict=True):
             stood = desk.board.ledger.vector(View.VELOCITY, re.sub(r"[{}]", "", symbol))
+            if "+" in symbol:  # two vectors along one line, drawn as one: neither of them is known by it
+                continue
             if size == "?" and stood is not None and len(re.sub(r"\d", "", symbol)) > len("v_{CB}") - 1:
                 near = too_short(abs(complex(stood.end) - complex(stood.start)))
                 assert near == ("≈ 0" in told[step.number]) or not near, symbol

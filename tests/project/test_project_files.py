@@ -87,7 +87,7 @@ def test_the_file_that_is_damaged_below_is_sound(tmp_path: Path) -> None:
             "synthesis: slider-crank\n    data: {K: 1.25, H: 160 mm, e: 50 mm}\n    find: [theta, AB, BC]",
             "synthesis: crank-rocker\n    data: {K: 1.73, CD: 156 mm, swing: 55 deg, AD: 226 mm}\n    find: [AB, BC]",
             5,
-            "No linkage satisfies the conditions.*AD may be 25.06 to 204 mm",
+            "No linkage satisfies the conditions.*l_AD may be 25.06 to 204 mm",
         ),
     ],
 )

@@ -163,7 +163,7 @@ def test_a_pivot_in_a_limit_position_is_rejected_for_that_and_the_range_told_lea
     """The chord is seen under no angle from there."""
     ended = posed(K="1.4", CD="60 mm", swing="50 deg", AD="60 mm").solve(by="exact").construction.conclusion
     assert ended is not None and "180° − θ" not in ended.en and "A$ coincides with $C$" in ended.en
-    assert "AD may be 41.05 to 118.1 mm, but not 60 mm" in ended.en
+    assert "$l_{AD}$ may be 41.05 to 118.1 mm, but not 60 mm" in ended.en
 
 
 def test_a_line_for_a_along_the_chord_meets_both_circles_in_a_limit_position() -> None:

@@ -49,7 +49,7 @@ def test_a_drag_link_whose_driven_crank_would_point_backwards_is_told_with_the_a
     assert verdicts(drag_link(ad, ab, k, phi, psi + 180)) == ["VALID"]
 
 
-@pytest.mark.parametrize(("psi", "told"), [(10, "phi_1 may be 0 to 1.532 deg or 318.4 to 360 deg."), (190, "")])
+@pytest.mark.parametrize(("psi", "told"), [(10, "$φ_1$ may be 0 to 1.532 deg or 318.4 to 360 deg."), (190, "")])
 def test_the_range_told_of_a_drag_link_has_one_circuit_and_the_given_ray(psi: float, told: str) -> None:
     ended = drag_link(40, 55, 2.5, 100, psi).solve(by="exact").construction.conclusion
     assert ended is not None and told in ended.en and "49.38" not in ended.en
@@ -82,7 +82,7 @@ def test_a_drag_link_without_quick_return_is_found_where_half_a_turn_of_ab_is_ha
 def test_where_no_datum_alone_can_be_changed_the_conclusion_says_so_and_none_can() -> None:
     data = {"ad": 47.0, "ab": 104.0, "k": 1.62, "phi": 87.0, "psi": 86.0}
     ended = drag_link(**data).solve(by="exact").construction.conclusion
-    assert ended is not None and "alone, none was found" in ended.en and "单独改变 phi_1" in ended.zh
+    assert ended is not None and "alone, none was found" in ended.en and "单独改变 $φ_1$" in ended.zh
     tried = {
         "ad": (0.5 * n for n in range(1, 400)), "ab": (n for n in range(1, 400)), "phi": range(360),
         "psi": range(360), "k": (1 + n / 50 for n in range(1, 250)),
@@ -107,7 +107,7 @@ def test_a_dead_centre_that_ab_reaches_by_the_short_way_alone_is_rejected_for_th
     assert verdicts(dead_centre(90, 50, 100, 40, -31)) == ["VALID"]
     assert verdicts(dead_centre(100, 60, 125, 75, 220)) == verdicts(dead_centre(100, 60, 125, 75, -140)) == ["VALID"]
     ended = dead_centre(90, 50, 100, 40, 329).solve(by="exact").construction.conclusion
-    assert ended is not None and "phi_12 may be 9.749 to 278.1 deg" in ended.en
+    assert ended is not None and "$φ_{12}$ may be 9.749 to 278.1 deg" in ended.en
 
 
 def test_a_dead_centre_whose_crank_vanishes_has_both_its_pins_in_a() -> None:

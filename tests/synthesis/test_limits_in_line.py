@@ -30,5 +30,5 @@ def test_a_limit_on_ad_is_rejected_by_hand_and_by_formula_however_the_figure_lie
 def test_such_a_task_is_refused_with_the_range_of_its_angle() -> None:
     data = {"C1": "(0, 0) mm", "line_1": "301 deg", "C2": "(23, 23) mm", "line_2": "278 deg", "alpha_1": "39 deg"}
     said = solve(posed("limit-lines", **data)).construction.conclusion
-    assert said is not None and "alpha_1 may be 39.01 to 89.99 deg" in said.en
+    assert said is not None and "$α_1$ may be 39.01 to 89.99 deg" in said.en
     assert solve(posed("limit-lines", **{**data, "alpha_1": "39.01 deg"})).answers["AB"].exact > 0

@@ -19,6 +19,7 @@ from vecpoly.cli.app import app
 from vecpoly.cli.errors import REFUSED, UNSOLVABLE
 from vecpoly.designs.base import Design
 from vecpoly.designs.ranged.admitted import between
+from vecpoly.designs.ranged.datum import of_field
 from vecpoly.errors import AssemblyError, NotAskedError, VecpolyError
 from vecpoly.grading.derive.keyed import answer_key
 from vecpoly.oracle.synthesis.registry import linkages, solvable
@@ -132,9 +133,11 @@ def test_answers_are_what_the_data_alone_tell(name: str) -> None:
 @pytest.mark.parametrize("name", RANGED)
 def test_within_the_range_told_there_is_a_solution_and_beyond_its_ends_none(name: str) -> None:
     problem = vecpoly.loads(text(name))
-    told = admissible(design_of(problem))
+    told = admissible(design := design_of(problem))
     assert told is not None
-    key, ranges = re.fullmatch(r" With all else as it is, (.+) may be (.*)\.", told.en).groups()  # type: ignore[union-attr]
+    said, ranges = re.fullmatch(r" With all else as it is, (.+) may be (.*)\.", told.en).groups()  # type: ignore[union-attr]
+    fields = {datum.name.en: named.key for named in design.ranged if (datum := of_field(design, named))}
+    key = fields.get(said, said)
     unit = ranges.split()[-1]
     for part in ranges.split(" or "):
         ends = [float(end) for end in re.findall(r"-?\d+(?:\.\d+)?", part)]
@@ -145,6 +148,15 @@ def test_within_the_range_told_there_is_a_solution_and_beyond_its_ends_none(name
         for end, way in ((low, -1), (high, 1)):
             if end is not None and end not in (0, 360) and not (key == "alpha_1" and way > 0):
                 assert not _solves(name, key, end + way * 10.0 ** (math.floor(math.log10(abs(end))) - 2), unit)
+
+
+@pytest.mark.parametrize("name", RANGED)
+def test_a_datum_that_had_to_be_another_is_called_by_its_symbol_or_in_words(name: str) -> None:
+    design = design_of(vecpoly.loads(text(name)))
+    given = {symbol for symbol, _ in design.given()}
+    for datum in design.varied():
+        assert re.findall(r"\$(.+?)\$", datum.name.en) == re.findall(r"\$(.+?)\$", datum.name.zh)
+        assert datum.name.en.startswith("the ") or datum.name.en.strip("$") in given, datum.name
 
 
 def _solves(name: str, key: str, value: float, unit: str) -> bool:

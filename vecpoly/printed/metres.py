@@ -52,6 +52,8 @@ def _shifted(node: Node) -> Node | None:
         case Txt(text) if (found := NUMBER.search(text)) is not None and "×10" not in found[0]:
             scale = _by_milli(found[0])
             return Txt(text[: found.start()] + (scale.rstrip("0") if "." in scale else scale) + text[found.end() :])
+        case Row((Txt("−") as minus, *rest)) if (shifted := _shifted(Row(tuple(rest)))) is not None:
+            return Row((minus, shifted))
         case Row(items) if items and (first := _shifted(items[0])) is not None:
             return Row((first, *items[1:]))
         case Frac(num, den) if (first := _shifted(num)) is not None:

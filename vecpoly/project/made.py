@@ -71,7 +71,7 @@ def made(
 def _refuse_unsolved(solution: Solution) -> None:
     """Raise FaultError where no candidate serves: what comes after has no lengths to go on with."""
     if (why := solution.construction.conclusion) is not None:
-        raise FaultError(why, code="no-solution")
+        raise FaultError(why.plain, code="no-solution")
 
 
 def _others(found: Part, also: tuple[float, ...], faults: Faults, by: str, seed: int) -> tuple[Position, ...]:

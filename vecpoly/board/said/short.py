@@ -81,7 +81,7 @@ def _said(short: Sequence[Short]) -> tuple[str, str]:
     named = [f"{_named(one.letters)} {about(one.mm)}" for one in short[:MOST]]
     zh, en = "、".join(named), ", ".join(named)
     if len(short) > MOST:
-        zh, en = f"{zh} 等 {len(short)} 处", f"{en} and {len(short) - MOST} more"
+        zh, en = f"{zh} 等 {len(short)} 处", f"{en} and others, {len(short)} in all"
     at = _scale(short)
     return (
         f"{f'按 {at}，' if at else ''}图上 {zh}{'' if len(short) > MOST else ' '}{TOO_SHORT.zh}",

@@ -33,7 +33,8 @@ def answered_or_ranged(design: Design) -> Mapping[str, float]:
     except AssemblyError as error:
         if isinstance(design, CrankRocker | SliderCrank) or (known := admissible(design)) is None:  # they tell it
             raise
-        told = Words(f"；{known.zh.rstrip('。')}", f";{known.en.rstrip('.').replace(' With', ' with', 1)}")
+        said = known.plain
+        told = Words(f"；{said.zh.rstrip('。')}", f";{said.en.rstrip('.').replace(' With', ' with', 1)}")
         raise AssemblyError(error.words + told, code=error.code, numbers=error.numbers) from None
 
 

@@ -14,6 +14,7 @@ from ...words import Words
 from ..place import OnLine
 
 Task = TypeVar("Task", bound=BaseModel)
+_GUIDE = "guide"  # the key of the line on which a slider runs; other lines have that of the pin which lies on them
 _AXES = (("x", 1 + 0j), ("y", 1j))
 
 
@@ -37,7 +38,7 @@ def of_field(design: Task, named: Named) -> Datum[Task] | None:
     line = isinstance(given, OnLine)
     at = _across(given) if isinstance(given, OnLine) else given.si
     return Datum(
-        name=Words.same(named.key),
+        name=_called(named, given),
         unit=named.unit,
         value=at,
         signed=line,
@@ -70,6 +71,15 @@ def put(design: Task, data: dict[str, Any]) -> Task:
 def put_in(design: Task, field: str, key: str, value: Any) -> Task:
     """The design with this value for a key of one of its tables."""
     return put(design, {field: getattr(design, field) | {key: value}})
+
+
+def _called(named: Named, given: OnLine | Quantity) -> Words:
+    """A quantity by its symbol, a line by what runs on it."""
+    if not isinstance(given, OnLine):
+        return Words.same(f"${named.symbol}$")
+    axis = "x" if given.along == 1j else "y"
+    whose = Words("导路", "guide") if named.key == _GUIDE else Words(f"{named.key} 所在直线", f"line of {named.key}")
+    return Words(f"{whose.zh}的 {axis} 坐标", f"the {axis} of the {whose.en}")
 
 
 def _across(line: OnLine) -> float:

@@ -216,8 +216,8 @@ def taken_off(figure: Figure, mark: Mark) -> bool:
 
 
 def bored(figure: Figure, mark: Mark) -> bool:
-    """Whether it is a ring on a rotor where mass is missing."""
-    return isinstance(mark, Arc) and of_rotor(figure) and mark.role is Role.HIDDEN
+    """Whether it is a ring on a rotor where mass is missing, from its end or along its shaft."""
+    return isinstance(mark, Arc) and mark.role is Role.HIDDEN and (of_rotor(figure) or along_shaft(figure))
 
 
 def allowed(figure: Figure, mark: Mark) -> bool:
@@ -232,6 +232,11 @@ def _fine(mark: Mark) -> bool:
 def of_rotor(figure: Figure) -> bool:
     """Whether it shows the masses of a rotor from its end."""
     return figure.view.name == "end-view"
+
+
+def along_shaft(figure: Figure) -> bool:
+    """Whether it shows where the masses of a rotor stand along its shaft."""
+    return figure.view is View.MECHANISM and any(mark.owner == "shaft" for mark in figure.marks)
 
 
 def area(points: Sequence[complex]) -> float:

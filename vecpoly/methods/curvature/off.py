@@ -21,9 +21,9 @@ def carry_over(fig: CurvatureFigure, paper: Paper | None) -> None:
         Words(
             f"{'、'.join(names)} 落在图外：另取 {told} 作缩小图，将 ${fig.p}$ 和各法线移画其上，长度按比例缩小，"
             "方向不变（用三角板推平行线）；这些点及到它们的连线都画在缩小图上。",
-            f"{', '.join(names)} lie{'s' if len(names) == 1 else ''} off the paper: draw ${fig.p}$ and the normals "
-            f"once more, to the scale {told}. Lengths are reduced, directions are carried over with the set squares; "
-            "these points, and the lines to them, are drawn there.",
+            f"Draw ${fig.p}$ and the normals once more, to the scale {told}, for {', '.join(names)} "
+            f"lie{'s' if len(names) == 1 else ''} off the paper. Lengths are reduced, directions are carried over with "
+            "the set squares; these points, and the lines to them, are drawn there.",
         ),
         fig.off.pane,
     )

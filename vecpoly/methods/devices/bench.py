@@ -9,7 +9,7 @@ import numpy as np
 
 from ...algebra.formula import Node
 from ...algebra.formula import named as name_of
-from ...algebra.quantity import Expr, Quantity, magnitude
+from ...algebra.quantity import Expr, Quantity, Sum, magnitude
 from ...algebra.worked import stated, worked
 from ...board.board import NO_LENGTH, Board
 from ...board.construction import LineOfAction, Place, Reading, Scale
@@ -149,3 +149,9 @@ class Bench:
 
     def _keep(self, reading: Reading, values: Reals, each: Points | None = None) -> None:
         self.board.keep(reading, values, each)
+
+
+def with_sign(expr: Expr, sign: float) -> Expr:
+    """The expression, or what is opposite to it: of what lies the other way the minus stands before all, for a scale is
+    positive."""
+    return expr if sign > 0 else Sum((expr,), (-1,))

@@ -42,6 +42,7 @@ class Statics(Rubbing):
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
     balanced: bool = False  # whether it was found before the reactions
     rest: Reals = 0.0  # power (W) that the link which closes would still need, where the balancing load is on trial
+    leaning: Words | None = None  # the last step that says nothing but how slides' reactions lean
     own: Mechanism | None = None  # the problem's mechanism, where hubs are hung otherwise
     pulls: Mapping[str, Pull] = field(default_factory=dict)  # loads whose size was read off the sheet, by name
 

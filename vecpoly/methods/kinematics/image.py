@@ -113,8 +113,8 @@ def _all_alike(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, 
     board.step(
         Words(
             f"${other}$ 与 ${one}$ 重合，此时构件 {link} 上各点的{QUANTITY[view].zh}相同，故 ${label}$ 也与之重合。",
-            f"${other}$ coincides with ${one}$: all points of link {link} have the same {QUANTITY[view].en} here, so "
-            f"${label}$ coincides with them, too.",
+            f"Point ${other}$ coincides with ${one}$: all points of link {link} have the same {QUANTITY[view].en} "
+            f"here, so ${label}$ coincides with them, too.",
         ),
         view,
     )

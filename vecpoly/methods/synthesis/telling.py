@@ -19,10 +19,10 @@ def no_use(count: int) -> Words:
             "唯一的候选解已舍去：没有机构满足所给条件。",
             "The only candidate is rejected: no linkage satisfies the conditions.",
         )
-    both = "Both" if count == 2 else f"All {count}"
+    zh, en = ("两", "Both") if count == 2 else (f"{count} ", f"All {count}")
     return Words(
-        f"{count} 个候选解均已舍去：没有机构满足所给条件。",
-        f"{both} candidates are rejected: no linkage satisfies the conditions.",
+        f"{zh}个候选解均已舍去：没有机构满足所给条件。",
+        f"{en} candidates are rejected: no linkage satisfies the conditions.",
     )
 
 

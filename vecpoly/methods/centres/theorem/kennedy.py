@@ -183,17 +183,16 @@ def _remarks(fig: CentreFigure, search: Search, here: Centre, *, best: bool) -> 
     lines = [way.line for way in search.ways if way.line is not None]
     far = [f"${fig.symbol(*side)}$" for way in search.ways for side in sides_of(search.pair, way) if fig.far(*side)]
     if far:
-        names = "、".join(dict.fromkeys(far))
+        off = tuple(dict.fromkeys(far))
         fig.board.remark(
             Words(
-                f"（{names} 在图外，通向它的连线用比例线段法作出。）",
-                f" ({names.replace('、', ', ')} is off the paper; the line towards it is drawn by proportional "
-                "segments.)",
+                f"（{'、'.join(off)} 在图外，通向它的连线用比例线段法作出。）",
+                f" (Off the paper: {', '.join(off)}; lines towards there are drawn by proportional segments.)",
             )
         )
     if search.pair in fig.paper.far:
         p = f"${fig.symbol(*search.pair)}$"
-        fig.board.remark(Words(f"（{p} 落在图外。）", f" ({p} falls off the paper.)"))
+        fig.board.remark(Words(f"（{p} 落在图外。）", f" (Point {p} falls off the paper.)"))
     elif len(lines) == 2 and not here.endless and abs(float(nominal(cross(lines[0].along, lines[1].along)))) < GOOD:
         fig.board.remark(_BEST if best else _SMALL)
 

@@ -14,7 +14,7 @@ from ....devices.balancing.sought import answers_of, couple_of, found_bearing, f
 from ....names import Named
 from ....plane import Points, Reals, nominal
 from ....words import Words
-from ..bench import Bench
+from ..bench import Bench, with_sign
 from .couples import Solution, close_couples
 from .polygon import Laid, chain, read_closing, stated_bearing
 from .products import radius
@@ -88,10 +88,7 @@ def _mass(bench: Bench, rotor: Rotor, place: Pane, which: str, name: str, soluti
     sign = 1.0
     if "at" not in mass.unknown:
         sign = 1.0 if float(nominal((way * np.exp(-1j * mass.at.si)).real)) >= 0 else -1.0
-    scale = board.scale_of(place)
-    couple = board.compute(
-        f"C_{{{name}}}", magnitude(scale.symbol, sign * scale.value, scale.per_mm) * on_paper, "kg·m^2"
-    )
+    couple = board.compute(f"C_{{{name}}}", with_sign(board.mu(place) * on_paper, sign), "kg·m^2")
     assert mass.r is not None
     arm = magnitude(f"{arm_letter(here)}_{{{name}}}", abs(mass.place - here), "m")
     turned = magnitude(f"r_{{{name}}}", mass.r.si / unit.masses, "m")

@@ -7,7 +7,7 @@ from ....board.construction import Pane, Place, View
 from ....board.paper.marks import Dot, Point, Role, Vector
 from ....diagram.links import ALONE, link_alone
 from ....names import At
-from ....plane import Points, nominal, unit
+from ....plane import Line, Points, nominal, unit
 from ....words import Words
 from ..acting import Acting
 from ..bodies.arrows import REACH, place_arrows, say_far
@@ -41,9 +41,9 @@ def polygon_title(st: Statics, *links: str) -> Words:
     return Words(f"杆组 {numbers} 的力多边形", f"Force polygon of group {numbers}")
 
 
-def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting, letter: str) -> None:
-    """The arm from the point to the line of action, with its letter."""
-    board, at = st.board, force.at
+def draw_arm(st: Statics, pane: Place, about: Points, end: Points, line: Line, letter: str) -> None:
+    """The arm from the point to the line of action, which runs from its own point to the foot, with its letter."""
+    board, at = st.board, line.at
     if max(abs(nominal(end - about)), abs(nominal(end - at))) > REACH:
         return
     board.join(pane, about, end, Role.CONSTRUCTION)
@@ -51,7 +51,7 @@ def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting
     if away > 1.0:
         board.join(pane, at, end, Role.DIRECTION)
     if abs(nominal(end - about)) > SHORT:
-        board.right_angle(pane, end, unit(about - end), unit(at - end) if away > 1.0 else force.line.along)
+        board.right_angle(pane, end, unit(about - end), unit(at - end) if away > 1.0 else line.along)
         board.plot(pane, (about + end) / 2, letter, Dot.NONE)
 
 

@@ -29,7 +29,7 @@ def forces_prp(st: Statics, d: Dyad) -> None:
     c, pane = d.inner.point, group_pane(st, *d.links)
     first, last = (
         lean(st, d.links, d.outer_j, d.parent_j, d.link_j),
-        lean(st, d.links, d.outer_k, d.parent_k, d.link_k, second=True),
+        lean(st, d.links, d.outer_k, d.parent_k, d.link_k),
     )
     on_j, on_k = ((c, moments_about(st, pane, (link,), c)) for link in (d.link_j, d.link_k))
     r_pj, r_kj, r_qk = reactions(st, d, draw_group(st, d, first, last))

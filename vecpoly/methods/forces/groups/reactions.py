@@ -90,14 +90,15 @@ def _say_couple(st: Statics, by: str, on: str, couple: Reals) -> None:
     )
 
 
-def lean(st: Statics, links: tuple[str, ...], joint: Prismatic, by: str, on: str, *, second: bool = False) -> Reaction:
-    """A slide's reaction along the normal of its guide, inclined by φ where there is friction; of a second slide that
-    is said in the step of the first."""
-    why = slide_words(st, joint, by, on)
-    if second:
+def lean(st: Statics, links: tuple[str, ...], joint: Prismatic, by: str, on: str) -> Reaction:
+    """A slide's reaction along the normal of its guide, inclined by φ where there is friction; of all slides of a group
+    that are looked at in turn that is said in one step."""
+    why, pane, last = slide_words(st, joint, by, on), group_pane(st, *links), st.board.steps[-1]
+    if (last.view, last.words) == (pane, st.leaning):
         st.board.remark(why)
     else:
-        st.board.step(Words(why.zh, why.en.strip()), group_pane(st, *links))
+        st.board.step(Words(why.zh, why.en.strip()), pane)
+    st.leaning = st.board.steps[-1].words
     direction = Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
     return Reaction(by=by, on=on, line=inclined(st, joint, by, on), direction=direction)
 

@@ -29,10 +29,7 @@ def forces_rpp(st: Statics, d: Dyad) -> None:
     """ΣF_k + R_qk + R_jk = 0, both normal to their guides (or at φ to that); then R_pj = −ΣF_j − R_kj."""
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Prismatic) and isinstance(d.outer_k, Prismatic)
     p, pane = d.outer_j.point, group_pane(st, *d.links)
-    inner, last = (
-        lean(st, d.links, d.inner, d.link_j, d.link_k),
-        lean(st, d.links, d.outer_k, d.parent_k, d.link_k, second=True),
-    )
+    inner, last = (lean(st, d.links, d.inner, d.link_j, d.link_k), lean(st, d.links, d.outer_k, d.parent_k, d.link_k))
     about = (p, moments_about(st, pane, (d.link_j,), p))
     r_pj, r_kj, r_qk = reactions(st, d, draw_link_k(st, d, inner, last))
     settle_pin(st, d.parent_j, d.link_j, p, r_pj)

@@ -106,7 +106,7 @@ def _of_forces(
         if abs(nominal(end - about)) < NO_LENGTH:
             continue
         if pane is not None:
-            draw_arm(st, pane, about, end, force, named)
+            draw_arm(st, pane, about, end, force.line, named)
         sense = np.sign(cross(end - about, force.vector))
         if np.isnan(nominal(sense)):
             raise EquilibriumError(

@@ -9,18 +9,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....board.construction import Pane, View
+from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.groups.assur import Group, ends
 from ....mechanism.model import Prismatic
 from ....names import Named
-from ....plane import Points, cross, foot, nominal, unit
+from ....plane import Line, Points, cross, foot, nominal
 from ....words import Words
 from ...kinematics.class_iii.special import special_of
 from ...kinematics.class_iii.star import star_of
 from ...registry import Stage, method
 from ..bodies.arrows import REACH
-from ..groups.body import SHORT, group_pane
+from ..groups.body import draw_arm, group_pane
 from ..groups.corners import part_named
 from ..lines.arms import Turning, joined, moments_at, without_moment
 from ..lines.letters import arm_about_point
@@ -102,22 +102,17 @@ def _along_axis(
     letter, place = about
     named = _sought(st, leg)
     if not turning.way:
-        st.board.remark(without_moment(f"${named.symbol}$"))
+        known = without_moment(f"${named.symbol}$")
+        st.board.remark(Words(known.zh, f" Here{known.en}"))
         return 0j
     end = foot(leg.line, place)
     symbol = arm_about_point(named.symbol, letter)
     arm = st.board.mu(View.MECHANISM) * st.board.measure(place, end, symbol)
-    _draw_arm(st, group_pane(st, *links), place, end, symbol)
+    axis = Line(st.desk.at[leg.inner], leg.line.along)
+    draw_arm(st, group_pane(st, *links), place, end, axis, symbol)
     st.board.compute(named.symbol, turning.size / arm, "N")
     sense = np.sign(cross(end - place, leg.line.along))
     return -leg.line.along * sense * st.mm(turning.value / arm.value)
-
-
-def _draw_arm(st: Statics, pane: Pane, place: Points, end: Points, symbol: str) -> None:
-    if max(abs(nominal(end)), abs(nominal(place))) < REACH and abs(nominal(end - place)) > SHORT:
-        st.board.join(pane, place, end, Role.CONSTRUCTION)
-        st.board.right_angle(pane, end, unit(place - end), 1j * unit(end - place))
-        st.board.plot(pane, (place + end) / 2, symbol, Dot.NONE)
 
 
 def _unloaded(st: Statics, group: Group) -> None:

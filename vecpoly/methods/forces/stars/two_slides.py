@@ -53,18 +53,16 @@ def _rest(links: tuple[str, ...], leg: Parallel) -> tuple[str, ...]:
 def _leg_alone(st: Statics, star: Star, leg: Parallel, links: tuple[str, ...]) -> tuple[Drawn, Drawn]:
     """The force of the leg on the central link, and that of its parent on the leg."""
     number = st.mech.number(leg.link)
-    inner, outer = (
-        lean(st, links, leg.slide, star.plate, leg.link),
-        lean(st, links, leg.guide, leg.parent, leg.link, second=True),
-    )
+    inner, outer = (lean(st, links, leg.slide, star.plate, leg.link), lean(st, links, leg.guide, leg.parent, leg.link))
     names = st.named(star.plate, leg.link), st.named(leg.parent, leg.link)
     known = acting_on(st, leg.link)
     if not known:
+        one, two = (f"${named.symbol}$" for named in names)
         st.board.step(
             Words(
-                f"构件 {number} 上无已知力（至多有力偶）；两移动副反力方向不同，其和为零，故二者皆为零。",
-                f"No known force acts on link {number}, but a couple at most; the forces of its two slides have "
-                "different directions and sum to zero, so both are zero.",
+                f"构件 {number} 上无已知力（至多有力偶）；{one}、{two} 方向不同，其和为零，故 {one} = {two} = 0。",
+                f"No known force acts on link {number}, but a couple at most; {one} and {two} have different "
+                f"directions and sum to zero, so {one} = {two} = 0.",
             )
         )
         none = Drawn(place=group_pane(st, *links), start=0j, end=0j, letters=f"{NO_LETTER} {NO_LETTER}")

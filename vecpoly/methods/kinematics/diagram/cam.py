@@ -103,7 +103,7 @@ def _block(contact: Contact, group: Group) -> Words:
 def _same_motion(contact: Contact, group: Group) -> Words:
     """Why the substitute serves for accelerations too."""
     return Words(
-        f"接触处两廓线的曲率半径为常数，高副低代后加速度也不变，仍用该 {group.kind} 杆组求解。",
+        f"接触点 ${contact.point}$ 处两廓线的曲率半径为常数，高副低代后加速度也不变，仍用该 {group.kind} 杆组求解。",
         f"The radii of curvature at ${contact.point}$ are constant, so that the {group.kind} group "
         "has the same accelerations as the higher pair.",
     )

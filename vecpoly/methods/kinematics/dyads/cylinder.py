@@ -3,7 +3,8 @@
 C is on the rod; the point of the cylinder's other link that lies under C (the link expanded, 扩大构件) is called C_n.
 The relative motion along the cylinder is the input:
     v_C = v_D + v_CnD + v_CCn,    a_C = a_D + a^n_CnD + a^t_CnD + a^k_CCn + a^r_CCn,
-with v_CCn and a^r_CCn known, v_CnD and a^t_CnD perpendicular to DC, and C led by the link that is moved.
+with v_CCn and a^r_CCn known, along the guide (DC, where both hinges are on it), v_CnD and a^t_CnD perpendicular to DC,
+and C led by the link that is moved.
 """
 
 from __future__ import annotations
@@ -22,11 +23,12 @@ from ...desk import QUANTITY, Desk
 from ...registry import Stage, method
 from ..chains import coincident_tip, never_turns, sliding_chain, solve, turning_chain
 from ..image import images_of_link
-from ..terms import coriolis
+from ..terms import coriolis, guide_name
 from ..turning import same_turn
 from .rrr import total, turn_of_link
 
 _SOURCE = "机械原理, coincident points of two links; the relative velocity along the cylinder is given"
+ON_LINE = 1e-9  # m: so far beside each other two hinges are on one line of the guide
 CORNER = {View.VELOCITY: "r", View.ACCELERATION: "r′"}  # where the given vectors end that are laid off first
 
 
@@ -97,14 +99,14 @@ def _polygon(desk: Desk, view: View, ram: Ram) -> None:
 
 
 def _opening(desk: Desk, view: View, ram: Ram) -> Words:
-    c, d = ram.inner.point, ram.outer.point
-    name, under = desk.name(At(c)), desk.name(At(c, ram.near))
+    c = ram.inner.point
+    name, under, way = desk.name(At(c)), desk.name(At(c, ram.near)), _guide(desk, ram)
     kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     return Words(
-        f"${name}$ 与扩大的构件 {ram.near} 上的 ${under}$ 为重合点，其相对{kind}沿 ${d}{c}$，由油缸给定；"
+        f"${name}$ 与扩大的构件 {ram.near} 上的 ${under}$ 为重合点，其相对{kind}沿{way.zh}，由油缸给定；"
         f"列{kind}矢量方程并作图。",
         f"Point ${name}$ and the point ${under}$ of the extended link {ram.near} coincide; their relative "
-        f"{kind_en} along ${d}{c}$ is given by the cylinder. Write the {kind_en} equation and draw "
+        f"{kind_en} along {way.en} is given by the cylinder. Write the {kind_en} equation and draw "
         "it.",
     )
 
@@ -146,7 +148,7 @@ def _given(desk: Desk, ram: Ram, rel: Rel, value: float) -> Term:
     way = (1.0 if ram.near == ram.pair.guide else -1.0) * (np.sign(value) or 1.0)
     if value:
         desk.board.given_size(sign, abs(value), rel.kind.unit)
-    direction = Words.same(f"∥$ {ram.outer.point}{ram.inner.point}$") if value else Words.same("—")
+    direction = _parallel(desk, ram) if value else Words.same("—")
     return Term(
         rel=rel,
         symbol=sign,
@@ -156,6 +158,27 @@ def _given(desk: Desk, ram: Ram, rel: Rel, value: float) -> Term:
         mm=desk.board.to_paper(view, np.asarray(abs(value))),
         tip=CORNER[view] if value else "",
     )
+
+
+def _hinges_on_line(desk: Desk, ram: Ram) -> bool:
+    """Whether the cylinder moves along the line of its hinges: not so where one of them lies farther from it."""
+    ends = (ram.near, ram.outer.point), (ram.far, ram.inner.point)
+    one, other = (desk.offset(ram.pair, link, point) for link, point in ends)
+    return abs(one - other) < ON_LINE
+
+
+def _guide(desk: Desk, ram: Ram) -> Words:
+    """Along what the rod moves, as a sentence calls it."""
+    if _hinges_on_line(desk, ram):
+        return Words(f" ${ram.outer.point}{ram.inner.point}$", f"${ram.outer.point}{ram.inner.point}$")
+    return Words("油缸导路", "the guide of the cylinder")
+
+
+def _parallel(desk: Desk, ram: Ram) -> Words:
+    """The same in the table of the equation."""
+    if _hinges_on_line(desk, ram):
+        return Words.same(f"∥$ {ram.outer.point}{ram.inner.point}$")
+    return guide_name(desk, ram.pair)
 
 
 def _shifted(corner: str, tip: str, *, together: bool) -> Words:

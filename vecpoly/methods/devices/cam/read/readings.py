@@ -11,15 +11,15 @@ from .....devices.cams.asked import least_polar
 from .....devices.cams.cam import Cam
 from .....names import Named
 from .....plane import Points, Reals, nominal
-from ...bench import Bench
+from ...bench import Bench, with_sign
 
 
 def length(bench: Bench, named: Named, place: Place, a: Points, b: Points, letters: str, sign: int = 1) -> Quantity:
     """Read a length off the paper, times μ_l: written into the step, in mm."""
     board, scale = bench.board, bench.board.scale_of(place)
     on_paper = board.measure(a, b, letters)
-    mu = magnitude(scale.symbol, sign * 1e3 * scale.value, "mm/mm")
-    found = bench.worked(named, mu * on_paper)
+    mu = magnitude(scale.symbol, 1e3 * scale.value, "mm/mm")
+    found = bench.worked(named, with_sign(mu * on_paper, sign))
     bench.read_off(named, place, on_paper, letters)
     return found
 
