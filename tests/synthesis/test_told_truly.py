@@ -7,9 +7,9 @@ from math import cos, pi, sin
 import numpy as np
 import pytest
 
-from vecpoly.check.designs.found_words import told as said
 from tests.each import Later, each
 from tests.laws import few
+from vecpoly.check.designs.found_words import told as said
 from vecpoly.check.grashof import grashof
 from vecpoly.designs.base import Design
 from vecpoly.errors import VecpolyError

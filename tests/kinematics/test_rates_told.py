@@ -1,4 +1,5 @@
-"""A drive between two moving links is found by proportion: who has the numbers that are told can reckon it again."""
+"""How the turning of a link is found can be followed: a proportion has its numbers, and a vector is placed at a point
+that moves, not at the pivot about which the link turns."""
 
 from __future__ import annotations
 
@@ -6,7 +7,7 @@ import re
 
 import pytest
 
-from tests.drawn_library import drawn
+from tests.drawn_library import IDS, drawn
 from tests.each import Later, each
 from vecpoly.mechanism.model import FRAME, Mechanism
 from vecpoly.problem.library import library
@@ -16,6 +17,7 @@ NUMBER = r"([−-]?[\d.]+(?:e[−-]?\d+)?)"
 TOLD = re.compile(
     rf"得输入的加速度为 {NUMBER} m/s²，实际为 {NUMBER} m/s²；.*每 1 \S+ 得 {NUMBER} m/s².*故 .* = {NUMBER} rad/s²"
 )
+PLACED = re.compile(r"将 \$[va](?:\^t)?_\{?(\w)(\d*)\w*\}?\$ 移至 \$(\w)\$ 点")
 
 
 def exchanged() -> list[str]:
@@ -37,3 +39,13 @@ def test_the_acceleration_of_the_link_thought_to_drive_follows_from_the_numbers_
         trial, given, factor, found = map(value, met.groups())
         assert found == pytest.approx((given - trial) / factor, rel=2e-3, abs=1e-9), text
     assert steps or name != "scissor-lift", "others lay the cylinder's rate off itself"
+
+
+@each(tuple(dict.fromkeys((*IDS, "geared-five-bar", "rack-drives-pinion", "ring-output", "winch-gears"))))
+def test_a_vector_that_tells_a_turning_is_placed_at_a_moving_point_which_is_its_own(name: str) -> None:
+    """v_DH was moved to the fixed pivot D: a point of the frame it may be only where it is one of a moving link."""
+    subject = drawn(name).problem.subject
+    pivots = set(subject.frame) if isinstance(subject, Mechanism) else set()
+    for step in drawn(name).construction.steps:
+        for of, link, at in PLACED.findall(step.words.zh):
+            assert of == at and (at not in pivots or link), step.words.zh
