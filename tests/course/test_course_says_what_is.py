@@ -6,18 +6,22 @@ import re
 
 import pytest
 
-from tests.studies import studied
+from tests.studies import course_words, studied
 from vecpoly.cycle.facts.duties import duties
 from vecpoly.findings.advice import advice
 from vecpoly.findings.conditioning import conditioning
 from vecpoly.findings.limits import limit
 from vecpoly.findings.motion import motion
+from vecpoly.findings.study.study import study
+from vecpoly.problem.load import load
+from vecpoly.report.answers.verdict import is_ill
 from vecpoly.report.course.analysis import forces
 from vecpoly.report.course.analysis.stated import stated
 from vecpoly.report.course.checks.influences import influences, targets
 from vecpoly.report.course.checks.tolerances import judged
 from vecpoly.report.course.results import drawings, loaded
 from vecpoly.report.course.symbols import rows_of
+from vecpoly.solution import solve
 from vecpoly.words import Words
 
 WAYS = ("to the right", "to the left", "upwards", "downwards", "from $x$", "clockwise")
@@ -99,3 +103,21 @@ def test_equal_lengths_that_make_the_change_points_are_not_to_be_changed_for_the
     it = studied("parallelogram-locomotive")
     [told] = [w.en for one in conditioning(it) for w in advice(it, one)]
     assert "are stretched" in told and "at a change point" in told and "would raise" not in told
+
+
+def test_the_table_of_counterweights_follows_the_sentence_that_speaks_of_it() -> None:
+    """The values of the static balance were said to be listed behind the crank's own counterweight."""
+    text = course_words("C-inertia", "zh")[0]
+    (told,) = re.findall(r"<p>([^<]*)</p><p>数值列于表 9-3", text)
+    assert "静平衡" in told and "如下表" in told
+
+
+@pytest.mark.parametrize("name", ["C-inertia", "3-9", "curv-5"])
+def test_what_is_hardly_found_by_drawing_is_not_said_to_agree(name: str) -> None:
+    """M_1 was read from an arm of 0.7 mm, with an expected error of 38 %, beside 'at most 0.74 %'."""
+    solution = solve(load(name))
+    it = study(solution)
+    ill = [one.rel.symbol for one in it.solution.answers.values() if is_ill(one, it.solution)]
+    told = "".join(words.zh for words in stated(it))
+    assert ("由作图不易准确求得，不在此列" in told) == any(f"${one}$ = " in told for one in ill)
+    assert name != "C-inertia" or "$M_{1}$ 由作图不易准确求得" in told.replace("M_1", "M_{1}")

@@ -144,6 +144,8 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
             {"triangle of error between the arcs", "trial weight", "balancing mass"},
             {"image of a link", "concentrated mass", "body of a link"},
         ),
+        ("balance-four-bar", {"counterweight"}, {"body of a link", "concentrated mass"}),
+        ("balance-slider-crank", {"counterweight"}, {"body of a link", "concentrated mass"}),
         ("6-5", {"correction plane"}, {"inflection pole"}),
         ("engine-single", {"concentrated mass"}, {"correction plane"}),
         ("straight-roberts", {"coupler curve"}, {"to a centre at infinity"}),

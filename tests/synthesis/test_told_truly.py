@@ -7,9 +7,13 @@ from math import cos, pi, sin
 import numpy as np
 import pytest
 
+from tests.each import Later, each
+from tests.laws import few
 from vecpoly.check.designs.found_words import told as said
 from vecpoly.check.grashof import grashof
+from vecpoly.designs.base import Design
 from vecpoly.errors import VecpolyError
+from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
 from vecpoly.report.answers.moved import moved_told, preferred
 from vecpoly.solution import solve
@@ -80,3 +84,19 @@ def test_of_solutions_with_all_but_equal_transmission_angles_none_is_preferred()
 
 def test_a_lone_solution_is_not_preferred_to_others() -> None:
     assert preferred(solve(load("8-12"))) is None
+
+
+@each(Later(lambda: few([one.id for one in library() if isinstance(load(one.id).subject, Design)], 4)))
+def test_a_lone_solution_below_the_usual_transmission_angle_is_said_to_be(name: str) -> None:
+    """8-14 had γ_min = 22.5° and no word about it."""
+    solution = solve(load(name), by="exact", repeats=0, precise=False)
+    if len(solution.verification) != 1:
+        return
+    (one,) = solution.verification
+    least = one.gamma if one.full else one.between
+    for lang in ("zh", "en"):
+        assert ("40°" in moved_told(solution, lang)) == (one.broken is None and least < 39.5), (name, least)
+
+
+def test_the_cutter_is_said_to_transmit_force_poorly_and_a_good_linkage_is_not() -> None:
+    assert "传力性能较差" in moved_told(solve(load("8-14")), "zh") and not moved_told(solve(load("8-17")), "en")

@@ -12,7 +12,7 @@ GAMMA = Words.same("$γ_{min}$")
 BETWEEN = Words("$γ_{min}$（给定位置之间）", "$γ_{min}$ between positions")
 TYPE = Words("机构类型", "Type")
 DRIVER = Words("原动件，能否整周转动", "Driver, rotates fully")
-TYPE_OF, ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("连同杆组整周转动", "All links rotate fully")
+TYPE_OF, ALL_TURNS = Words("$ABCD$ 的类型", "Type of $ABCD$"), Words("加装杆组后整周转动", "All links rotate fully")
 MEANT = {  # heads that do not say all
     ERROR: Words(
         "“杆长相差”为同一杆在各给定位置的最大长度之差",
@@ -27,7 +27,7 @@ MEANT = {  # heads that do not say all
         "“Margin” is the sum of the two other links less that of the shortest and the longest",
     ),
     ALL_TURNS: Words(
-        "“连同杆组整周转动”：四杆机构 $ABCD$ 的曲柄即使能转整周，加装的杆组也未必能随之转满一周",
+        "“加装杆组后整周转动”：四杆机构 $ABCD$ 的曲柄即使能转整周，加装的杆组也未必能随之转满一周",
         "“All links rotate fully”: what is added to the four-bar linkage $ABCD$ need not follow a full turn of its "
         "crank",
     ),

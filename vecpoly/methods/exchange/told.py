@@ -79,12 +79,20 @@ def _accelerated(trial: Trial, rated: Drive) -> Words:
         f"{number(drive.accel, 4)} {given}",
         f"${rate}_{link}$ = {_beside(rated.accel, size)} {own}",
     )
+    ratio = _by_which(rate, link, f"{number(factor, 4)} {given}", own) if factor else ("", "")
     return Words(
         f"先取 ${rate}_{link}$ = 0 试作加速度多边形，得输入的加速度为 {even[0]}，实际为 {even[1]}；"
-        f"差额与 ${rate}_{link}$ 成正比（比例同速度），故 {even[2]}。",
+        f"差额与 ${rate}_{link}$ 成正比{ratio[0]}，故 {even[2]}。",
         f"A trial polygon with ${rate}_{link}$ = 0 gives the input the acceleration "
-        f"{even[0]}; it is {even[1]}. The rest is proportional to ${rate}_{link}$ by the "
-        f"factor of the velocities, so {even[2]}.",
+        f"{even[0]}; it is {even[1]}. The rest is proportional to ${rate}_{link}${ratio[1]}, so {even[2]}.",
+    )
+
+
+def _by_which(rate: str, link: str, per: str, own: str) -> tuple[str, str]:
+    """The factor of the accelerations, which is that of the velocities: 0.52 m/s² for 1 rad/s²."""
+    return (
+        f"（比例系数同速度：${rate}_{link}$ 每 1 {own} 得 {per}）",
+        f" by the factor of the velocities, {per} for ${rate}_{link}$ = 1 {own}",
     )
 
 

@@ -1,4 +1,5 @@
-"""Which of several solutions of a synthesis transmits force best, as it moves with the lengths read."""
+"""Which of several solutions of a synthesis transmits force best, as it moves with the lengths read, and which do it
+poorly."""
 
 from __future__ import annotations
 
@@ -13,9 +14,20 @@ _ALIKE = 1.0  # degrees: of two least transmission angles that are nearer neithe
 
 
 def moved_told(solution: Solution, lang: Lang) -> str:
-    """What is to be preferred, in a sentence; nothing where there is no choice."""
-    best = preferred(solution)
+    """What is to be preferred, in a sentence; of one solution, that it transmits force poorly, if it does."""
+    best = _alone(solution) if len(solution.verification) == 1 else preferred(solution)
     return "" if best is None else best.of(lang)
+
+
+def _alone(solution: Solution) -> Words | None:
+    """That the only solution is below the usual bound, in a full turn or between the given positions."""
+    (one,) = solution.verification
+    if one.broken is not None or not (one.gamma if one.full else one.between) < ABOUT:
+        return None
+    return Words(
+        "最小传动角小于许用值 [$γ$] = 40°，传力性能较差。",
+        "The minimum transmission angle is below the usual bound of 40°: force is transmitted poorly there.",
+    )
 
 
 def preferred(solution: Solution) -> Words | None:

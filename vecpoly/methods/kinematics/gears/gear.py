@@ -30,17 +30,18 @@ _SOURCE = "机械原理, pure rolling: the pitch point is the relative instant c
     title=Words("齿轮（行星轮）的速度", "Velocity of a gear on a held centre"),
 )
 def velocity_gear(desk: Desk, group: Group) -> None:
-    """ω = v_CH / r: the velocities of the centre C and of the pitch point H are known both."""
+    """ω = v_CH / r: the velocities of centre C and pitch point H are known both; about a fixed centre ω = v_H / r."""
     view, gear = View.VELOCITY, group.links[0]
     joint, c = _pair(group)
     h = joint.point
     found_tip(desk, view, At(c))
     pitch_velocity(desk, joint, gear)
-    ref = None if desk.at_rest(view, At(h)) else At(h)
-    rel = Rel(Kind.V, At(c), ref)
-    ends = desk.tip(view, At(h)), desk.tip(view, At(c))
+    about, to = (c, h) if desk.at_rest(view, At(c)) and not desk.at_rest(view, At(h)) else (h, c)
+    ref = None if desk.at_rest(view, At(about)) else At(about)
+    rel = Rel(Kind.V, At(to), ref)
+    ends = desk.tip(view, At(about)), desk.tip(view, At(to))
     desk.board.arrow_once(view, *ends, key=desk.key(rel))
-    angular_velocity(desk, gear, h, c, ends, letters(desk, view, ref, At(c)), desk.symbol(rel))
+    angular_velocity(desk, gear, about, to, ends, letters(desk, view, ref, At(to)), desk.symbol(rel))
     image_circle(desk, gear, c, h)
     images_of_link(desk, view, gear)
 

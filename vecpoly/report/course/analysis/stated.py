@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import degrees
 
 import numpy as np
@@ -19,8 +19,9 @@ from ....printed.digits import coordinates, drawn_number
 from ....printed.places import place_parts
 from ....printed.units import printed_unit
 from ....solution import YES_NO, Answer
-from ....words import Words
+from ....words import Words, joined
 from ...answers.placed import angle
+from ...answers.verdict import is_ill
 from ...values import called, direction_of_load, unit_after, value, way_of
 from .agreement import agreement
 from .several_ways import alike, by_ways
@@ -58,10 +59,24 @@ def stated(study: Study) -> Iterator[Words]:
     rate = f"$|ω_{{{study.mech.drive.link}}}|$ = 1 rad/s"
     taken = Words(f"（按 {rate}）", f" (at {rate})") if study.sense_only and _has_rates(study) else Words("", "")
     rest = Words("；其余各量见 6.2", "; for the others see 6.2") if 0 < len(main) < len(keys) else Words("", "")
-    near = agreement([one for key in main or keys if (one := study.solution.answers.get(key)) is not None])
+    near = _near(study, [one for key in main or keys if (one := study.solution.answers.get(key)) is not None])
     yield Words(
         f"题设位置 {at}{taken.zh}，{how.zh}{'；'.join(w.zh for w in _once(told))}{rest.zh}。{near.zh}",
         f"In the given position, {at}{taken.en}, {how.en}{'; '.join(w.en for w in _once(told))}{rest.en}.{near.en}",
+    )
+
+
+def _near(study: Study, answers: Sequence[Answer]) -> Words:
+    """How far drawing and computation differ, of what can be drawn; what hardly can is named, however near it came."""
+    ill = [one for one in answers if is_ill(one, study.solution)]
+    near = agreement([one for one in answers if one not in ill])
+    if not ill:
+        return near
+    named, many = joined([Words.same(f"${one.rel.symbol}$") for one in ill]), len(ill) > 1
+    return near + Words(
+        f"{named.zh} 由作图不易准确求得，不在此列，以精确值为准（见 6.2）。",
+        f" {named.en} {'are' if many else 'is'} ill-conditioned in the drawing and left out here: take the exact "
+        f"value{'s' if many else ''} (see 6.2).",
     )
 
 

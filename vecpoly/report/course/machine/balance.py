@@ -132,8 +132,9 @@ def _spots(study: Study, one: Extremes, lang: Lang) -> tuple[str, ...]:
 
 
 def _counterweights(study: Study, press: Press, found: Shaking) -> dict[str, Any]:
+    """The crank's alone, then those of all links: their table follows."""
     static = [_static(study, found)] if found.weights else []
-    words = [*static, *([_crank(study, found.best)] if found.best else [])]
+    words = [*([_crank(study, found.best)] if found.best else []), *static]
     return {
         "title": Words("配重的作用", "What counterweights leave").of(press.lang),
         "words": [w.of(press.lang) for w in words],

@@ -12,6 +12,7 @@ from ....algebra.formula import Node, Power, Row, Sym, Txt, plain
 from ....algebra.quantity import number
 from ....analytic.equations import GroupModel, Part
 from ....analytic.expr import Const
+from ....findings.side_changes import side_changes
 from ....findings.study.study import Study
 from ....words import Lang, Words
 from ..numbering import Press
@@ -32,7 +33,10 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
         "auxiliary": ("、" if press.lang == "zh" else ", ").join(f"${one}$" for one in _AUXILIARY if one in study.env),
         "arctangents": any("arctan" in plain(e.node) for group in study.model.groups for e in group.equations),
         "groups": [
-            *(_group(group, press, arcs=True) for group in study.model.groups),
+            *(
+                _group(group, press, arcs=True) | {"sides": _sides(study, group).of(press.lang)}
+                for group in study.model.groups
+            ),
             *([_group(forces, press, arcs=False)] if forces else []),
         ],
     }
@@ -48,9 +52,23 @@ def _group(group: GroupModel, press: Press, *, arcs: bool) -> dict[str, Any]:
         "title": group.title.of(press.lang),
         "opening": group.opening.of(press.lang),
         "stages": stages,
+        "sides": "",
         "constants": ("，" if press.lang == "zh" else ", ").join(_constants(group, arcs=arcs)),
         "singular": group.singular.of(press.lang) if group.singular else "",
     }
+
+
+def _sides(study: Study, group: GroupModel) -> Words:
+    """That σ is turned at change points, where a cycle goes through them; nothing where one σ holds throughout."""
+    places = [study.where(place) for place in side_changes(study, group)]
+    if not places:
+        return Words("", "")
+    told = [places[0], *(place.split(" = ")[1] for place in places[1:])]
+    return Words(
+        f"以上 $σ$ 值用于题设位置；机构按题设的装配形式连续通过变点，$σ$ 在变点 {'、'.join(told)} 处变号。",
+        "This $σ$ is that of the given position; as the mechanism goes on in the given assembly, $σ$ changes its sign "
+        f"at the change points {' and '.join(told)}.",
+    )
 
 
 def _jacobian(group: GroupModel, press: Press) -> str:

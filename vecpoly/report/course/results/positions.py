@@ -12,6 +12,7 @@ from ....errors import AssemblyError, LockedError
 from ....figures.mu import LENGTH
 from ....findings.study.study import Study
 from ....foundation.slotted import replace
+from ....mechanism.asked.curvature import centrode_lengths
 from ....mechanism.asked.machine import machine_quantities, reduced_quantities
 from ....problem.problem import Problem, Scales
 from ....solution import Answer, Solution, read_off, solve
@@ -32,7 +33,8 @@ def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem
     return replace(
         there,
         loads=there.loads and there.loads.without_roles(),
-        asks=tuple(ask for ask in there.asks if ask.rel.key not in _of_period(there)),
+        asks=tuple(ask for ask in there.asks if ask.rel.key not in _of_period(there) | _of_range(there)),
+        curvature=there.curvature and replace(there.curvature, centrodes=None),
         printed=(),
         scales=Scales({LENGTH.key: figure.scale.value} if figure and same_scale else {}),
     )
@@ -42,6 +44,12 @@ def _of_period(problem: Problem) -> set[str]:
     """What is the same wherever the drive stands: the flywheel, the constant moment, the greatest surplus."""
     mech, machine = problem.mechanism, problem.machine
     return set() if machine is None else {*machine_quantities(mech, machine)} - {*reduced_quantities(mech)}
+
+
+def _of_range(problem: Problem) -> set[str]:
+    """The lengths of the centrodes, which are drawn over a range about the given position, and there alone."""
+    asked = problem.curvature.centrodes if problem.curvature else None
+    return set() if asked is None else {named.key for named in centrode_lengths(problem.mechanism, asked.link)}
 
 
 def draw_there(there: Problem, by: str) -> Solution:
