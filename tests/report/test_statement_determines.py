@@ -6,12 +6,16 @@ import re
 
 import pytest
 
-from tests.drawn_library import LIBRARY
-from tests.each import each
+from tests.drawn_library import IDS, LIBRARY, drawn
+from tests.each import Later, each
+from vecpoly.board.paper.marks import Point
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.mechanism.profiles import CamProfile
 from vecpoly.problem.library import find
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
+from vecpoly.report.picture import picture
+from vecpoly.report.question.sketch import sketched
 from vecpoly.report.statement.centrodes import centrodes_asked
 from vecpoly.report.statement.given_data import friction_heads, given_data
 from vecpoly.words import Lang
@@ -91,3 +95,20 @@ def test_a_face_beside_its_letter_is_told_by_the_line_beside_which_it_lies() -> 
 def test_a_guide_bar_that_is_not_square_to_its_guide_leans_to_one_side() -> None:
     assert "构件 3 的滑道与导路成 60°（由后者顺时针量）" in _data(load("3-14"))
     assert any(one == "构件 3 的滑道与导路成 90°" for one in _data(load("3-7d")))
+
+
+_PROFILED = tuple(name for name in LIBRARY if name.startswith("cam-") or name.endswith("cam"))
+
+
+@each(Later(lambda: [name for name in _PROFILED if name in IDS and _cams(load(name))]))
+def test_a_sketch_does_not_show_the_centre_of_curvature_of_a_profile(name: str) -> None:
+    one = drawn(name)
+    for sketch in (picture, sketched):
+        figure = sketch(one.problem, one.solution.construction, 120.0, 90.0)
+        assert figure is not None
+        letters = {mark.label for mark in figure.marks if isinstance(mark, Point)}
+        assert letters and "" not in letters and not letters & {cam.centre for cam in _cams(one.problem)}
+
+
+def _cams(problem: Problem) -> tuple[CamProfile, ...]:
+    return problem.subject.cams if isinstance(problem.subject, Mechanism) else ()
