@@ -72,7 +72,7 @@ def test_a_datum_with_a_sense_stays_in_the_line_and_the_others_have_symbol_value
     (table,) = given_tables(problem, "en")
     assert table.header[:3] == ("Symbol", "Value", "Unit") and table.rows[0][:3] == ("$l_AB$", "15", "mm")
     told = beside_tables(solve(problem, repeats=20), "en")["given"]
-    assert "5 rad/s (counter-clockwise)" in told and told.endswith("the other data are in the table")
+    assert "5 rad/s (counter-clockwise, constant)" in told and told.endswith("the other data are in the table")
 
 
 def test_places_are_given_in_one_notation_and_directions_say_what_they_are() -> None:

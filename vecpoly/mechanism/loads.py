@@ -117,6 +117,11 @@ class Mass:
     rod: Rod | None = None  # the round bar from which they were computed, if they were
 
 
+def slide_name(one: str, other: str) -> str:
+    """A sliding pair by the numbers of its links, the lower before the higher: 23."""
+    return "".join(sorted((one, other), key=lambda number: (len(number), number)))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Friction:
     """Radius ρ (m) of the friction circle by pin letter;

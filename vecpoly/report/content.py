@@ -22,6 +22,7 @@ from .answers.tables import counted
 from .sources import printed_source
 from .statement.asked import asked, repeated
 from .statement.conventions import conventions
+from .statement.given_data import friction_heads, given_data
 from .statement.in_table import OTHERS, in_table, in_table_words
 from .statement.meant import meant_by
 from .statement.shortened import as_told
@@ -58,9 +59,9 @@ def beside_tables(solution: Solution, lang: Lang) -> dict[str, str]:
 def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = None) -> dict[str, str]:
     """Title, source, statement, given (all, or these data) and asked in words; repeated: the statement asks so."""
     problem = solution.problem
-    data = problem.given.data if data is None else data
-    comma = "，" if lang == "zh" else ", "
-    given = [as_told(d, lang) for d in data]
+    data = given_data(problem) if data is None else data
+    comma, heads = "，" if lang == "zh" else ", ", friction_heads(problem, data, lang)
+    given = [heads.get(d.symbol, "") + as_told(d, lang) for d in data]
     if isinstance(problem.subject, Mechanism) and any(problem.subject.frame.values()):
         given.insert(0, pivots(problem.subject).of(lang))  # a lone pivot at the origin tells nothing
     return {

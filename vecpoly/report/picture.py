@@ -45,6 +45,7 @@ def picture(problem: Problem, construction: Construction, width: float, height: 
         return sized(problem, replace(drawn, title=NOT_TO_SCALE) if isinstance(problem.subject, Structure) else drawn)
     position = construction.steps[0].section
     marks = _given_links(figure, max(step.number for step in construction.steps if step.section == position))
+    marks = _without_centres(marks, problem.subject)
     loads = problem.loads or (problem.machine.loads if problem.machine is not None else None)
     if loads is None:
         return sized(problem, reduced(figure, marks, width, height))
@@ -66,6 +67,13 @@ def _given_links(figure: Figure, upto: int) -> list[Mark]:
     """The mechanism as it stands after this step, without construction lines and their letters,
     and without the pressure angle."""
     return [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= upto and not _drawn_on(m)]
+
+
+def _without_centres(marks: Sequence[Mark], mech: Mechanism) -> list[Mark]:
+    """Without the centre of curvature of a profile, which is for the reader to find."""
+    letters = {cam.centre for cam in mech.cams}
+    spots = [mark.at for mark in marks if isinstance(mark, Point) and mark.label in letters]
+    return [m for m in marks if not (isinstance(m, Point) and any(abs(m.at - spot) < TOUCH for spot in spots))]
 
 
 def _drawn_on(mark: Mark) -> bool:

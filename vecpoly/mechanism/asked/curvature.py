@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from enum import StrEnum
+from math import degrees
 
 from ...errors import NotAskedError
 from ...foundation.slotted import dataclass
@@ -153,3 +154,11 @@ def no_ball(mech: Mechanism, link: str) -> NotAskedError:
         ),
         code="no-ball-point",
     )
+
+
+def between(mech: Mechanism, asked: Centrodes) -> Words:
+    """From which position of the drive to which."""
+    drive = mech.drive
+    factor, unit = (1e3, " mm") if drive.slide else (degrees(1.0), "°")
+    start, end = (f"{round(factor * at, 9):.5g}".replace("-", "−") for at in (asked.start, asked.end))
+    return Words(f"${drive.symbol}$ = {start}{unit} 到 {end}{unit}", f"${drive.symbol}$ = {start}{unit} to {end}{unit}")

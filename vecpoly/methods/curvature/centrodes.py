@@ -5,19 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import degrees
 
 from ...algebra.formula import row
-from ...algebra.quantity import number, paper
+from ...algebra.quantity import paper
 from ...board.board import Board
 from ...board.construction import Place, View
 from ...board.paper.extent import bounds, box_of
 from ...board.paper.marks import Dot, Role
 from ...errors import NotAskedError
 from ...mechanism.asked.centres import centre
-from ...mechanism.asked.curvature import Centrodes, centrode_lengths
+from ...mechanism.asked.curvature import Centrodes, between, centrode_lengths
 from ...mechanism.groups.assur import Group
-from ...mechanism.model import FRAME, Mechanism
+from ...mechanism.model import FRAME
 from ...names import Named
 from ...plane import Points, dot, nominal
 from ...words import Words
@@ -115,7 +114,7 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
 
 
 def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
-    n, link, ends = asked.positions, desk.mech.number(asked.link), _range(desk.mech, asked)
+    n, link, ends = asked.positions, desk.mech.number(asked.link), between(desk.mech, asked)
     scale = Words.same("") if sheet.shared else Words(f"（{sheet.told}）", f" ({sheet.told})")
     desk.board.step(
         Words(
@@ -128,14 +127,6 @@ def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
         + Words("。", "."),
         pane,
     )
-
-
-def _range(mech: Mechanism, asked: Centrodes) -> Words:
-    """From which position of the drive to which."""
-    drive = mech.drive
-    factor, unit = (1e3, " mm") if drive.slide else (degrees(1.0), "°")
-    start, end = (number(round(factor * at, 9), 5) for at in (asked.start, asked.end))
-    return Words(f"${drive.symbol}$ = {start}{unit} 到 {end}{unit}", f"${drive.symbol}$ = {start}{unit} to {end}{unit}")
 
 
 def _carried_words(desk: Desk, link: str) -> Words:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import atan, tan
 
 from ...errors import NoSlipSenseError
-from ...mechanism.loads import Loads
+from ...mechanism.loads import Loads, slide_name
 from ...mechanism.model import FRAME, Contact, Mechanism, Prismatic
 from ...names import omega
 from ...plane import Points, nominal
@@ -55,6 +55,12 @@ class Rubbing:
         return (
             self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing and not alone else 0.0
         )
+
+    def phi_symbol(self, joint: Prismatic | Contact) -> str:
+        """Of its friction angle, as it is given: φ_T, φ_{23}."""
+        if isinstance(joint, Contact):
+            return f"φ_{{{joint.point}}}"
+        return f"φ_{{{slide_name(self.mech.number(joint.block), self.mech.number(joint.guide))}}}"
 
     def phi(self, joint: Prismatic | Contact) -> float:
         """Friction angle of a slide or a contact (rad); 0 in a pass without friction.

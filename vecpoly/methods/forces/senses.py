@@ -142,14 +142,20 @@ def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
             f"${symbol}$ 垂直于构件 {i}、{j} 间的导路。",
             f" The reaction ${symbol}$ is normal to the guide of links {i} and {j}.",
         )
-    way = sliding_way(st, joint, by, on)
+    way, phi = sliding_way(st, joint, by, on), st.phi_symbol(joint)
     return Words(
         f"由速度多边形，构件 {j} 相对构件 {i} 沿导路{way.zh}滑动（$v_{{{j}{i}}}$），摩擦力与之反向，"
-        f"故 ${symbol}$ 自导路法线偏转 $φ$ 角，与 $v_{{{j}{i}}}$ 成 90° + $φ$。",
+        f"故 ${symbol}$ 自导路法线偏转 ${phi}$ 角，与 $v_{{{j}{i}}}$ 成 90° + ${phi}$。",
         f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); "
-        f"friction opposes it, so ${symbol}$ is inclined at $φ$ to the normal of the guide and "
-        f"makes 90° + $φ$ with $v_{{{j}{i}}}$.",
+        f"friction opposes it, so ${symbol}$ is inclined at ${phi}$ to the normal of the guide and "
+        f"makes 90° + ${phi}$ with $v_{{{j}{i}}}$.",
     )
+
+
+def at_normal(st: Statics, joint: Prismatic) -> Words:
+    """What is known of the direction of a slide's reaction."""
+    phi = st.phi_symbol(joint)
+    return Words(f"与法线成 ${phi}$", f"at ${phi}$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
 
 
 def sliding_way(st: Statics, joint: Prismatic, by: str, on: str) -> Words:

@@ -106,9 +106,9 @@ def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
     tip, link, n = desk.tip_label(View.ACCELERATION, At(b)), drive.link, desk.n_tip(drive.link)
     if drive.accel:
         return Words(
-            f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；"
+            f"${b}$ 点的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；"
             f"取极点 $p′$，依次作 $p′{n}$、${n}{tip}$：",
-            f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, and the "
+            f"The normal acceleration of ${b}$ points from it to ${pivot}$, and the "
             f"tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the "
             f"pole $p′$ lay off $p′{n}$ and ${n}{tip}$:",
         )

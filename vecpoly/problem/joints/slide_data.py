@@ -16,6 +16,11 @@ from ..values.seen import Beside, Leaning
 # what makes an angle with the guide
 _OWN = {Shape.SLOT: Words("的滑道", "the slideway of "), Shape.ROD: Words("的杆", "the rod of ")}
 
+RIGHT = 90.0  # degrees: an angle that has no sense
+_RIGHT = Words("", "")
+_CLOCKWISE = Words("（由后者顺时针量）", ", clockwise from the latter")
+_COUNTER_CLOCKWISE = Words("（由后者逆时针量）", ", counter-clockwise from the latter")
+
 
 def note_aside(m: re.Match[str], draft: Draft) -> None:
     """Remember an offset for 已知."""
@@ -48,12 +53,13 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
+        way = _RIGHT if acute == RIGHT else _CLOCKWISE if turn > RIGHT else _COUNTER_CLOCKWISE
         own = _OWN.get(block.shape, Words("", ""))
         on = _guide_told(m["guide"])
         block.say(
             Words(
-                f"构件 {block.name} {own.zh}与{on.zh}成 {acute:g}°",
-                f"{own.en}link {block.name} is at {acute:g}° to {on.en}",
+                f"构件 {block.name} {own.zh}与{on.zh}成 {acute:g}°{way.zh}",
+                f"{own.en}link {block.name} is at {acute:g}° to {on.en}{way.en}",
             )
         )
 

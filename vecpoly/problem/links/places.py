@@ -172,8 +172,8 @@ def _by_angle(draft: Draft, point: str, data: Mapping[str, Value], lengths: list
     else:
         draft.say(
             Words(
-                f"${ends[0]}{ends[1]}$ 与构件 {draft.name} 所沿导路的方向成 {m[1]}",
-                f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide of link {draft.name}",
+                f"${ends[0]}{ends[1]}$ 与构件 {draft.name} 所沿导路的方向成 {m[1]}（自导路逆时针量）",
+                f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide of link {draft.name}, counter-clockwise from it",
             ),
             OffItsGuide(at=ends[0], end=ends[1], link=draft.name, turn=angle),
         )

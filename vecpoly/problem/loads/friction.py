@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...errors import FaultError
 from ...foundation.patterns import pattern
-from ...mechanism.loads import Friction
+from ...mechanism.loads import Friction, slide_name
 from ...mechanism.model import FRAME, Mechanism, Prismatic, Rolling
 from ...words import Words
 from ..problem import Datum
@@ -35,7 +35,7 @@ def read_friction(
                             f"the friction of the slide {m[1]}-{m[2]} is given twice; leave out one of the entries",
                         )
                     )
-                told, slides[joint] = friction_angle(f"{m[1]}{m[2]}", spec)
+                told, slides[joint] = friction_angle(slide_name(m[1], m[2]), spec)
             elif name in letters:
                 told, contacts[name] = friction_angle(name, spec)
             else:

@@ -14,6 +14,7 @@ from ...words import Words
 from ..content import pivots, statement
 from ..flow.table import DataTable
 from ..picture import picture, to_scale
+from ..statement.given_data import given_data
 from ..statement.in_table import in_table, scalar
 from ..statement.shortened import shortened
 from ..tables import given_tables
@@ -59,8 +60,8 @@ def _series(study: Study, press: Press) -> list[DataTable]:
 def known(study: Study, press: Press, listed: frozenset[str] = frozenset()) -> dict[str, Any]:
     """What is given in words, and the table of the numbers where they are many; listed: lengths that the table of the
     dimensions tells, whose symbols stand in no other place."""
-    lengths = [datum for datum in study.problem.given.data if _bare(datum.symbol) in listed]
-    data = [datum for datum in study.problem.given.data if datum not in lengths]
+    lengths = [datum for datum in given_data(study.problem) if _bare(datum.symbol) in listed]
+    data = [datum for datum in given_data(study.problem) if datum not in lengths]
     rows = [row for datum in data if (row := scalar(datum, press.lang)) is not None]
     parted = len(rows) >= _MANY
     told = [

@@ -17,6 +17,7 @@ from ...problem.problem import Problem
 from ...solution import YES_NO, Solution
 from ...words import Lang, Words, bare
 from ..values import asked_as, asked_load, called, curved, way_of
+from .centrodes import centrodes_asked
 from .further import THE_SAME, further
 from .groups import Group, by_groups, parted
 from .meant import meant_by, plural
@@ -61,7 +62,8 @@ def asked(solution: Solution, lang: Lang) -> str:
     ]
     many = len(parts) >= _LISTED
     listed = [f"({n}) {part}" if many else part for n, part in enumerate(parts, 1)]
-    return stop.join([*listed, THE_SAME.of(lang)] if more else listed)
+    whole = stop.join([*listed, THE_SAME.of(lang)] if more else listed)
+    return whole + centrodes_asked(solution.problem).of(lang)
 
 
 def repeated(solution: Solution) -> bool:

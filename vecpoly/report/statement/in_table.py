@@ -16,6 +16,7 @@ from ...problem.problem import Problem
 from ...problem.values.given import Datum, as_printed
 from ...words import Lang, Words
 from ..flow.table import DataTable
+from .given_data import given_data
 from .shortened import shortened
 
 _LEAST = 3  # quantities, and bodies, that make a table
@@ -54,7 +55,7 @@ class _Cell:
 
 def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable | None]:
     """What is given in the line, and the table of the rest; all in the line where they make no table."""
-    data = problem.given.data
+    data = given_data(problem)
     if isinstance(problem.subject, Device) and (found := _by_bodies(data, lang)) is not None:
         return found
     scalars = {id(one): cells for one in data if (cells := scalar(one, lang)) is not None}

@@ -18,7 +18,7 @@ from ..bodies.arrows import REACH
 from ..lines.arms import Turning
 from ..lines.letters import arm_about_point
 from ..readings import measured
-from ..senses import TURN, inclined, pin_words, slide_words
+from ..senses import TURN, at_normal, inclined, pin_words, slide_words
 from ..state import Statics
 from .body import SHORT, draw_forces, group_pane
 from .corners import Reaction
@@ -99,7 +99,7 @@ def lean(st: Statics, links: tuple[str, ...], joint: Prismatic, by: str, on: str
     else:
         st.board.step(Words(why.zh, why.en.strip()), pane)
     st.leaning = st.board.steps[-1].words
-    direction = Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
+    direction = at_normal(st, joint)
     return Reaction(by=by, on=on, line=inclined(st, joint, by, on), direction=direction)
 
 

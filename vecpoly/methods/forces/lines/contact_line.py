@@ -35,12 +35,11 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
     k = st.desk.contact_of(contact)
     outward = st.desk.normal_of(contact)  # from the disc's centre through K
     normal = outward if two.by == contact.disc.link else -outward
-    i, j = st.mech.number(two.by), st.mech.number(two.on)
     slip = velocity_of(st, two.on, k) - velocity_of(st, two.by, k)
     what, named = Words(f"接触点 {contact.point}", f"contact {contact.point}"), st.named(two.by, two.on)
     u = leaning(st, normal, slip, st.phi(contact), what, key=named.key)
     if st.phi(contact):
-        _say(st, i, j, contact.point, slip, normal)
+        _say(st, two, slip, normal)
     else:
         symbol = st.named(two.by, two.on).symbol
         rubs = st.loads.friction and st.rubbing
@@ -60,19 +59,34 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
     return Line(k, u)
 
 
-def _say(st: Statics, i: str, j: str, point: str, slip: Points, normal: Points) -> None:
+def _say(st: Statics, two: TwoForce, slip: Points, normal: Points) -> None:
+    assert two.contact is not None
+    i, j, point, phi = st.mech.number(two.by), st.mech.number(two.on), two.contact.point, st.phi_symbol(two.contact)
+    known = _known_rates(st, two.by, two.on)
     right = float(nominal((np.conj(1j * normal) * slip).real)) < 0
     side, side_en = ("右", "right") if right else ("左", "left")
     there = f"v_{{{point}{j}{point}{i}}}"
     st.board.step(
         Words(
-            f"由 $ω_{i}$、$ω_{j}$ 知两构件在接触点 ${point}$ 的速度之差 ${there}$ 沿公切线；面向 $R_{{{i}{j}}}$ "
-            f"的指向看，构件 {j} 相对构件 {i} 向{side}滑动。摩擦力与之反向，故 $R_{{{i}{j}}}$ 自公法线偏转 $φ$ 角，"
-            f"与 ${there}$ 成 90° + $φ$。",
-            f"By $ω_{i}$ and $ω_{j}$ the velocities of the two links at the contact ${point}$ "
+            f"由{known.zh}知两构件在接触点 ${point}$ 的速度之差 ${there}$ 沿公切线；面向 $R_{{{i}{j}}}$ "
+            f"的指向看，构件 {j} 相对构件 {i} 向{side}滑动。摩擦力与之反向，故 $R_{{{i}{j}}}$ 自公法线偏转 ${phi}$ 角，"
+            f"与 ${there}$ 成 90° + ${phi}$。",
+            f"By {known.en} the velocities of the two links at the contact ${point}$ "
             f"differ by ${there}$ along the common tangent: looking along $R_{{{i}{j}}}$, link "
             f"{j} slides to the {side_en} past link {i}. Friction opposes it, so $R_{{{i}{j}}}$ "
-            f"is inclined at $φ$ to the common normal and makes 90° + $φ$ with ${there}$.",
+            f"is inclined at ${phi}$ to the common normal and makes 90° + ${phi}$ with ${there}$.",
         ),
         View.MECHANISM,
     )
+
+
+def _known_rates(st: Statics, *links: str) -> Words:
+    """What tells how both links move: their angular velocities; of one that only translates the velocity polygon."""
+    turning = [f"$ω_{st.mech.number(link)}$" for link in links if _turns(st, link)]
+    if len(turning) == len(links):
+        return Words(" " + "、".join(turning) + " ", " and ".join(turning))
+    return Words("速度多边形", "the velocity polygon")
+
+
+def _turns(st: Statics, link: str) -> bool:
+    return not np.array_equal(velocity_of(st, link, 1.0 + 0j), velocity_of(st, link, 0j))

@@ -12,7 +12,7 @@ from ....vector.equation import Term
 from ....words import Words
 from ..bodies.link_polygon import draw_polygon, pane_of
 from ..readings import say_measured, write_sizes
-from ..senses import inclined, pin_words, slide_words
+from ..senses import at_normal, inclined, pin_words, slide_words
 from ..state import Statics
 from .links_of_group import Held
 from .meeting import draw_meeting, draw_resultant, known_forces, line_of_load, meeting_letter, resultant_of
@@ -156,7 +156,7 @@ def _lies(st: Statics, held: Held, meets: str) -> Words:
         f"过 ${meets}$" if meets else "过交点", f"through ${meets}$" if meets else "through the meeting point"
     )
     if isinstance(held.joint, Prismatic):
-        return Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(held.joint) else Words("⊥导路", "⊥guide")
+        return at_normal(st, held.joint)
     if isinstance(held.joint, Revolute) and st.rho(held.joint.point):
         return through + Words("，切于摩擦圆", ", tangent to the circle")
     return through
