@@ -7,7 +7,7 @@ import re
 from tests.drawn_library import LIBRARY, drawn, given
 from tests.each import Later, each
 from vecpoly.designs.base import Design
-from vecpoly.report.verification import as_moved
+from vecpoly.report.verification.table import as_moved
 
 DESIGNS = Later(lambda: [name for name in LIBRARY if isinstance(given(name).subject, Design)])
 LENGTH = re.compile(r"[A-Z]{2}|[eh]")  # of a bar, an offset: no stroke H

@@ -18,7 +18,7 @@ from vecpoly.report.question.blanks import empty_table
 from vecpoly.report.question.sketch import sketched
 from vecpoly.report.titles import Kind, kind_of
 from vecpoly.report.verdicts import verdicts
-from vecpoly.report.verification import heads_told, verification_table
+from vecpoly.report.verification.table import heads_told, verification_table
 from vecpoly.solution import Solution
 from vecpoly.words import Lang
 

@@ -13,8 +13,8 @@ from tests.laws import few
 from vecpoly.check.grashof import grashof
 from vecpoly.report.answers.order import arranged, broken
 from vecpoly.report.content import conclusions
-from vecpoly.report.verification import as_moved, verification_table
-from vecpoly.report.verification_heads import MARGIN
+from vecpoly.report.verification.heads import MARGIN
+from vecpoly.report.verification.table import as_moved, verification_table
 from vecpoly.words import Lang
 
 

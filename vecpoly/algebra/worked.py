@@ -6,7 +6,7 @@ result: 1063.6 × 0.076 = 80.83, for 1064 × 0.076 is 80.86.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from math import isfinite, nan
 from typing import cast
 
@@ -69,7 +69,6 @@ def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> tuple
     """The line's expression with the numbers told elsewhere, unless they give another end; and how many figures the
     other numbers have."""
     own = cast("Expr", line.worked)
-
     for other in _told_elsewhere(own, told):
         digits = figures_for(other, shown)
         if _gives(other, digits, (read_back(shown),)):
@@ -80,16 +79,20 @@ def _as_told(line: Row, shown: str, told: Callable[[Node, float], str]) -> tuple
 def _told_elsewhere(own: Expr, told: Callable[[Node, float], str]) -> Iterator[Expr]:
     """The expression with the numbers that are told elsewhere; then with all but one of them, for another line may have
     needed that to more figures."""
-    known = {one.node: number for one in _quantities(own) if (number := told(one.node, float(nominal(one.value))))}
+    known = dict.fromkeys(one.node for one in _quantities(own) if told(one.node, float(nominal(one.value))))
     if known:
-        yield _with_told(own, known)
+        yield _with_told(own, told)
     for left in known if len(known) > 1 else ():
-        yield _with_told(own, {node: number for node, number in known.items() if node is not left})
+        yield _with_told(own, told, left)
 
 
-def _with_told(own: Expr, known: Mapping[Node, str]) -> Expr:
-    """The expression, these of its symbols with these numbers."""
-    return _each(own, lambda one: replace(one, told=known.get(one.node, one.told)))
+def _with_told(own: Expr, told: Callable[[Node, float], str], left: Node | None = None) -> Expr:
+    """The expression with the numbers that are told elsewhere, but for that of one symbol."""
+
+    def number_of(one: Quantity) -> str:
+        return "" if one.node == left else told(one.node, float(nominal(one.value)))
+
+    return _each(own, lambda one: replace(one, told=number_of(one) or one.told))
 
 
 def goes_on(line: Row, shown: str, told: Callable[[Node, float], str]) -> bool:
@@ -103,8 +106,7 @@ def goes_on(line: Row, shown: str, told: Callable[[Node, float], str]) -> bool:
 def reckoned_again(line: Row, told: Callable[[Node, float], str], figures: int = FIGURES) -> float:
     """What a calculator shows for the line with the numbers that are told elsewhere, the others to their figures."""
     own = cast("Expr", line.worked)
-    other = _each(own, lambda one: replace(one, told=told(one.node, float(nominal(one.value))) or one.told))
-    return _reckoned(other, figures)
+    return _reckoned(_with_told(own, told), figures)
 
 
 def stated(quantity: Quantity) -> Row:

@@ -44,7 +44,7 @@ from .tables import given_tables, printed_table
 from .templates import filled
 from .titles import subject
 from .verdicts import concluded, judged_by, verdicts
-from .verification import as_moved, beside_exact, heads_told
+from .verification.table import as_moved, beside_exact, heads_told
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
     "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),

@@ -6,17 +6,17 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite
 
-from ..algebra.columns import column, significant
-from ..board.candidates import Candidate
-from ..check.candidates import exact
-from ..check.designs.found import Verified
-from ..designs.base import Design
-from ..designs.inversion.stages import Stages
-from ..foundation.slotted import dataclass
-from ..solution import Solution
-from ..words import Lang, Words, stopped
-from .flow.table import DataTable
-from .verification_heads import (
+from ...algebra.columns import column, significant
+from ...board.candidates import Candidate
+from ...check.candidates import exact
+from ...check.designs.found import Verified
+from ...designs.base import Design
+from ...designs.inversion.stages import Stages
+from ...foundation.slotted import dataclass
+from ...solution import Solution
+from ...words import Lang, Words, stopped
+from ..flow.table import DataTable
+from .heads import (
     ALL_TURNS,
     BETWEEN,
     BROKEN,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..words import Words
+from ...words import Words
 
 NUMBER = Words("解", "No.")
 NONE, YES, NO = Words.same("—"), Words("是", "yes"), Words("否", "no")
