@@ -32,6 +32,7 @@ from tests.oracle.test_oracle_models import (
     sloped_slot,
     swinging_block,
 )
+from vecpoly import load
 from vecpoly.errors import AssemblyError, DeadPointError, MobilityError, NotAskedError, UnknownNameError
 from vecpoly.mechanism.model import FRAME, Circle, Drive, Mechanism, Rack, Rolling
 from vecpoly.names import parse_rel
@@ -312,6 +313,15 @@ def test_a_motion_goes_smoothly_through_a_position_that_alone_does_not_close() -
     assert np.degrees(motion.angle("2") - motion.angle("2")[0]) % 360 == pytest.approx(
         np.array([0.0, 331.5, 311.5, 151.5])
     )
+
+
+@pytest.mark.parametrize("phi", [0.0, 90.0, -40.0])
+def test_what_a_rack_at_a_given_place_cannot_reach_is_not_promised_at_another_position(phi: float) -> None:
+    """The rack stands at s = 40 mm wherever the pinion is: its rocker's pivot is 13.27 mm too far away there."""
+    away = load("pinion-drives-rack").vary(x_D="187.5 mm").vary(phi=f"{phi} deg")
+    with pytest.raises(AssemblyError, match=r"at joint C: 13\.27 mm .*gears and racks .* go with it") as told:
+        away.solve()
+    assert "within" not in str(told.value)
 
 
 def test_failing_positions_may_be_left_blank() -> None:

@@ -88,13 +88,14 @@ class Plan:
         if open_[run.asked :].any():
             first = run.first(open_)
             gap = np.broadcast_to(step.miss(bodies, run), run.q.shape)[first]
-            here = float(run.q[first])
+            here, closes = float(run.q[first]), self._upto(step).closes()
             raise refusal(
                 step,
                 run.text(here),
                 float(gap),
                 self.ranges(step),
-                alone=alone(self._upto(step).closes(), here, self.mech.scale),
+                alone=alone(closes, here, self.mech.scale),
+                carried=self.followed and not bool(closes(np.array([self.mech.drive.position]))[0]),
             )
 
     def ranges(self, step: Step | None = None) -> Ranges:

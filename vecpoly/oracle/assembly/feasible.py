@@ -42,7 +42,7 @@ def spans(closes: Closes, drive: Drive, scale: float, halvings: int = HALVINGS, 
         return found
     first, last = found[0][0] == low, found[-1][1] == high
     if followed and first != last:
-        return _beyond(closes, drive.position, halvings)
+        return _beyond(closes, drive.position, halvings) or found
     if first and last and len(found) > 1:
         return (*found[1:-1], (found[-1][0], found[0][1] + WHOLE))  # one range across 0
     return found
@@ -65,8 +65,12 @@ def _closed(closes: Closes, low: float, high: float, halvings: int) -> Spans:
 
 def _beyond(closes: Closes, own: float, halvings: int) -> Spans:
     """The range about the own position, of a mechanism that is followed along a path from there: it leads across 0 on
-    one side and breaks off on the other, so that 0 and a whole turn are not one. It begins within 0..360."""
-    low, high = (_closed(closes, own - WHOLE, own, halvings)[-1][0], _closed(closes, own, own + WHOLE, halvings)[0][1])
+    one side and breaks off on the other, so that 0 and a whole turn are not one. It begins within 0..360. None where it
+    does not close there on both sides."""
+    before, after = _closed(closes, own - WHOLE, own, halvings), _closed(closes, own, own + WHOLE, halvings)
+    if not before or not after:
+        return ()
+    low, high = before[-1][0], after[0][1]
     turn = WHOLE * float(np.floor(low / WHOLE))
     return ((low - turn, high - turn),)
 
@@ -89,8 +93,11 @@ def alone(closes: Closes, at: float, scale: float) -> bool:
     return bool(closes(at + BESIDE * min(scale, 1.0) * np.array([-1.0, 1.0])).all())
 
 
-def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool = False) -> AssemblyError:
-    """The error for links that do not close; alone: they do just before and after."""
+def refusal(
+    step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool = False, carried: bool = False
+) -> AssemblyError:
+    """The error for links that do not close; alone: they do just before and after; carried: what is
+    carried on along a path from the drive's own position does not close there."""
     zh, en = step.group.told.zh, step.group.told.en
     short, found = bool(np.isfinite(gap) and gap > 0), bool(np.isfinite(gap))
     at = (
@@ -111,7 +118,8 @@ def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool =
     numbers: dict[str, str | float] = {"position": where, "joint": step.joint}
     if short:
         numbers["missing"] = float(gap)
-    return AssemblyError(what + (_alone(short) if alone else _room(ranges, found)), numbers=numbers)
+    room = _alone(short) if alone else _PLACED if carried and ranges else _room(ranges, found)
+    return AssemblyError(what + room, numbers=numbers)
 
 
 def _alone(short: bool) -> Words:
@@ -129,12 +137,22 @@ def _alone(short: bool) -> Words:
     )
 
 
+_PLACED = Words(
+    "；齿轮、齿条的位置是按原动件的这一位置给出的，随它而定；请改变杆长或这些位置",
+    "; the places of gears and racks are given for this position of the drive and go with it: "
+    "change a length, or one of these places",
+)
+
+
+def _told(ranges: Ranges) -> Words:
+    printed = [_printed(one) for one in ranges]
+    return Words(" 或 ".join(one.zh for one in printed), " or ".join(one.en for one in printed))
+
+
 def _room(ranges: Ranges, found: bool) -> Words:
     if ranges:
-        return Words(
-            f"；原动件在 {' 或 '.join(_printed(one).zh for one in ranges)} 内时可以装配",
-            f"; they can where the drive is within {' or '.join(_printed(one).en for one in ranges)}",
-        )
+        known = _told(ranges)
+        return Words(f"；原动件在 {known.zh} 内时可以装配", f"; they can where the drive is within {known.en}")
     if found:
         return Words("；在任何位置都不能装配", "; they can in no position")
     return Words(
