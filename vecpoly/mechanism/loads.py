@@ -10,7 +10,8 @@ from the normal, against the relative motion.
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import field
 from math import pi, sqrt
 from typing import Literal
@@ -115,6 +116,19 @@ class Mass:
     inertia: float
     centre: str
     rod: Rod | None = None  # the round bar from which they were computed, if they were
+    shared: bool = False  # whether another link has its centre at this letter too: a pin that joins both
+
+    @property
+    def inertia_symbol(self) -> str:
+        """J_{S2}; where two links have their centres at one pin C, J_{C3} of link 3 and J_{C4} of link 4."""
+        return f"J_{{{self.centre}{self.link if self.shared else ''}}}"
+
+
+def told_apart(masses: Iterable[Mass]) -> tuple[Mass, ...]:
+    """The masses, each of which knows whether another has its centre at the same letter."""
+    found = tuple(masses)
+    at = Counter(mass.centre for mass in found)
+    return tuple(replace(mass, shared=at[mass.centre] > 1) for mass in found)
 
 
 def slide_name(one: str, other: str) -> str:
@@ -155,6 +169,9 @@ class Loads:
     inertia: bool = True  # whether the inertia forces of the masses act
     springs: tuple[Elastic, ...] = ()
     constant: Constant | None = None  # then `unknown` is M_b, which nobody wrote
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "masses", told_apart(self.masses))
 
     @property
     def all(self) -> tuple[Load, ...]:

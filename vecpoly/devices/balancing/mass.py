@@ -23,6 +23,13 @@ class RotorDisc(Entry):
     b: Length | None = None
     density: Density | None = None
 
+    def unlike(
+        self, index: str, b: Length | None, density: Density | None
+    ) -> tuple[tuple[str, Length | None], tuple[str, Density | None]]:
+        """Another thickness and another density, each under the symbol of its own; None for what is the disc's."""
+        thick, dense = None if b == self.b else b, None if density == self.density else density
+        return (f"b_{{{index}}}", thick), (f"ρ_{{{index}}}", dense)
+
 
 class RotorMass(Entry):
     """m: a lump. hole: diameter of a hole, through the thickness b or to a depth. keyway: its width, with its depth.
@@ -133,6 +140,17 @@ class RotorMass(Entry):
         length = self.depth if self.hole is not None and self.depth is not None else self.b
         assert length is not None
         return length.si
+
+    def own(self, name: str, disc: RotorDisc) -> tuple[tuple[str, Length | None], tuple[str, Density | None]]:
+        """Thickness and density under symbols of their own, where they are not those of the disc."""
+        thick = None if self.hole is not None and self.depth is not None else self.b
+        return disc.unlike(name, thick, self.density) if self.removed else (("", None), ("", None))
+
+    def symbols(self, name: str, disc: RotorDisc) -> tuple[str, str]:
+        """Of its length along the axis, and of its density: those of the disc have no index."""
+        (b, thick), (rho, dense) = self.own(name, disc)
+        along = "b" if self.hole is None or self.depth is None else f"h_{{{name}}}"
+        return along if thick is None else b, "ρ" if dense is None else rho
 
     @property
     def product(self) -> float:

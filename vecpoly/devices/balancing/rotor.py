@@ -202,10 +202,12 @@ class Rotor(Device):
             sizes = (("m", mass.m), ("d", mass.hole), ("w", mass.keyway), ("h", mass.depth), ("W", mass.U))
             places = (("r", mass.r), ("θ", mass.at), ("z", mass.z))
             rows += [(f"{symbol}_{{{name}}}", value) for symbol, value in (*sizes, *places)]
+            rows += mass.own(name, self.disc)
         rows += [("b", self.disc.b), ("ρ", self.disc.density)]
         for end, plane in self.planes.items():
             drill = None if plane.hole is THROUGH else plane.hole
             rows += [(f"z_{{b{end}}}", plane.z), (f"r_{{b{end}}}", plane.r), (f"d_{{b{end}}}", drill)]
+            rows += self.disc.unlike(f"b{end}", plane.b, plane.density) if plane.hole is not None else ()
         if (grade := self.tolerance) is not None:
             rows += [("G", grade.G), ("m", grade.mass), ("n", grade.n), ("z_S", grade.z)]
         return as_written(rows)

@@ -13,8 +13,6 @@ from ..text.source import Value
 from .draft import ANGLE_FROM, ONE, Draft, Line, ray
 from .places import aside
 
-_ON_LINE = 1e-9  # of a distance: how far beside a line a point of it may lie
-
 
 def read_line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
     """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, of a rod or of a face."""
@@ -59,33 +57,3 @@ def _turn(draft: Draft, text: str) -> complex:
             code="missing",
         )
     return ray(draft, m[2])[2] * cmath.exp(1j * read(m[1], Dim.ANGLE).si)
-
-
-def note_face(draft: Draft, face: Line, data: Mapping[str, Value]) -> None:
-    """The distance of the face from its letter for 已知; once all points of the link are known."""
-    letter, turn = face.through, cmath.exp(1j * face.direction)
-    side = next((key for key in ("left", "right") if key in data), "")
-    if side:
-        zh, other = "左" if side == "left" else "右", _ahead(draft, letter, turn)
-        if other:
-            ray = f"${letter}{other}$"
-            draft.say(
-                Words(
-                    f"构件 {draft.name} 的平底与 {ray} 平行，在有向线 {ray} {zh}侧 {data[side]}",
-                    f"the face of link {draft.name} is parallel to {ray}, {data[side]} to the {side} of it",
-                )
-            )
-            return
-        draft.say(
-            Words(
-                f"构件 {draft.name} 的平底在 ${letter}$ {zh}侧 {data[side]}",
-                f"the face of link {draft.name} lies {data[side]} to the {side} of ${letter}$",
-            )
-        )
-
-
-def _ahead(draft: Draft, letter: str, turn: complex) -> str:
-    """A point of the link that lies from its letter in the direction of the face; "" where there is none."""
-    start = draft.points[letter]
-    ways = {other: (spot - start) / turn for other, spot in draft.points.items() if other != letter}
-    return next((other for other, way in ways.items() if way.real > 0 and abs(way.imag) < _ON_LINE * way.real), "")

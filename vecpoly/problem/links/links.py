@@ -14,7 +14,8 @@ from ..schema.faults import meant
 from ..text.source import Value
 from .circles import give_circle
 from .draft import ONE, TWO, Draft, Line, letters_of
-from .lines import note_face, read_line
+from .lines import read_line
+from .lines_told import note_lines
 from .places import place
 from .profiles import give_profile
 from .starts import read_start
@@ -77,8 +78,7 @@ def _set_out(draft: Draft, data: Mapping[str, Value]) -> None:
             for key, act in waiting.items():
                 _within(key, act)
         waiting = {key: act for key, act in waiting.items() if key not in done}
-    if draft.face is not None and isinstance(face := data["face"], dict):
-        note_face(draft, draft.face, face)
+    note_lines(draft, data)
 
 
 def _succeeds(act: Callable[[], None]) -> bool:

@@ -8,7 +8,7 @@ from typing import TypeVar
 
 from ...errors import FaultError
 from ...foundation.slotted import replace
-from ...mechanism.loads import Mass, Rod
+from ...mechanism.loads import Mass, Rod, told_apart
 from ...mechanism.model import FRAME, ByOffsets
 from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
@@ -25,15 +25,20 @@ Found = TypeVar("Found")
 
 def read_masses(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[tuple[Mass, ...], tuple[Datum, ...]]:
     """The masses, whose centres become lettered points S2 of their links, and their data for 已知."""
-    masses: list[Mass] = []
-    data: list[Datum] = []
+    found: list[tuple[Mass, tuple[Datum, ...]]] = []
     for link, one in spec.masses.items():
         with faults.at("masses", link):
-            mass, told = _mass(link, one, bodies)
-            masses.append(mass)
-            data.extend(told)
+            found.append(_mass(link, one, bodies))
+    masses = told_apart(mass for mass, _ in found)
+    data = [one for mass, (_, told) in zip(masses, found, strict=True) for one in _under_its_name(mass, told)]
     bars = [mass for mass in masses if mass.rod is not None]
-    return tuple(masses), (*_of_one_steel(data), *([Datum(words=_bar_words(bars, bodies))] if bars else []))
+    return masses, (*_of_one_steel(data), *([Datum(words=_bar_words(bars, bodies))] if bars else []))
+
+
+def _under_its_name(mass: Mass, told: Sequence[Datum]) -> Iterator[Datum]:
+    """What is told of a mass; its moment of inertia by a symbol that no other has."""
+    for one in told:
+        yield replace(one, symbol=mass.inertia_symbol) if one.symbol.startswith("J_") else one
 
 
 def _of_one_steel(data: Sequence[Datum]) -> Iterator[Datum]:
@@ -72,7 +77,7 @@ def _mass(link: str, spec: MassSpec, bodies: Bodies) -> tuple[Mass, tuple[Datum,
     centre = _within("centre", lambda: _centre(draft, spec.centre))
     data = [Datum(symbol=f"m_{link}", si=mass.si, text=written(mass.text))]
     if spec.inertia is not None:
-        data.append(Datum(symbol=f"J_{{{centre}}}", si=inertia.si, text=written(inertia.text)))
+        data.append(Datum(symbol="J_S", si=inertia.si, text=written(inertia.text)))
     if centre != f"S{link}":
         data.append(
             Datum(

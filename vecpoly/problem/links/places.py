@@ -16,7 +16,7 @@ from ..schema.faults import meant
 from ..text.source import Value
 from ..values.seen import OffItsGuide, SetOff
 from .draft import ANGLE_FROM, PLACED, Draft, ends_of, ray
-from .line_words import line_words
+from .lines_told import line_words
 from .starts import is_phased, phased
 
 _SIDE = pattern(rf"(left|right) of ({LETTER})({LETTER})")

@@ -19,7 +19,7 @@ QUARTER = magnitude("π/4", pi / 4, "")
 
 def products(bench: Bench, rotor: Rotor) -> dict[str, Quantity]:
     """W of every mass, without sign."""
-    board, unit = bench.board, rotor.weighing
+    board = bench.board
     board.section(Words("质径积", "Mass–radius products"))
     holes = any(mass.removed for mass in rotor.masses.values())
     told = not holes and all(mass.U is None and not mass.unknown for mass in rotor.masses.values())  # each by its line
@@ -32,19 +32,20 @@ def products(bench: Bench, rotor: Rotor) -> dict[str, Quantity]:
             "the opposite way." * holes,
         )
     )
-    found = {name: _product(bench, name, mass, unit) for name, mass in rotor.masses.items() if "m" not in mass.unknown}
+    found = {name: _product(bench, name, mass, rotor) for name, mass in rotor.masses.items() if "m" not in mass.unknown}
     if not told:
         board.tabulate(_table(rotor, found))
     return found
 
 
-def _product(bench: Bench, name: str, mass: RotorMass, unit: Weighing) -> Quantity:
+def _product(bench: Bench, name: str, mass: RotorMass, rotor: Rotor) -> Quantity:
+    unit, symbols = rotor.weighing, mass.symbols(name, rotor.disc)
     named = product_of(name, unit)
     if mass.U is not None:
         return magnitude(named.symbol, mass.U.si * unit.products, unit.product)
     assert mass.r is not None
     weight = (
-        bench.worked(mass_of(name, unit), _volume(name, mass) * _density(mass, unit))
+        bench.worked(mass_of(name, unit), _volume(name, mass, symbols[0]) * _density(symbols[1], mass, unit))
         if mass.removed
         else magnitude(f"m_{{{name}}}", mass.size * unit.masses, unit.mass)
     )
@@ -61,17 +62,17 @@ def density(symbol: str, si: float, unit: Weighing) -> Quantity:
     return magnitude(symbol, si * unit.masses * 1e-9, f"{unit.mass}/mm^3")
 
 
-def _density(mass: RotorMass, unit: Weighing) -> Quantity:
+def _density(symbol: str, mass: RotorMass, unit: Weighing) -> Quantity:
     assert mass.density is not None
-    return density("ρ", mass.density.si, unit)
+    return density(symbol, mass.density.si, unit)
 
 
-def _volume(name: str, mass: RotorMass) -> Product:
-    deep = magnitude("b", mass.high * 1e3, "mm")
+def _volume(name: str, mass: RotorMass, along: str) -> Product:
+    deep = magnitude(along, mass.high * 1e3, "mm")
     if mass.hole is not None:
         return QUARTER * magnitude(f"d_{{{name}}}", mass.hole.si * 1e3, "mm").squared() * deep
     assert mass.keyway is not None and mass.depth is not None
-    wide, into = (magnitude(s, x.si * 1e3, "mm") for s, x in (("w", mass.keyway), ("h", mass.depth)))
+    wide, into = (magnitude(f"{s}_{{{name}}}", x.si * 1e3, "mm") for s, x in (("w", mass.keyway), ("h", mass.depth)))
     return wide * into * deep
 
 
