@@ -78,6 +78,11 @@ class RotorPlane(Entry):
         return self.hole is not None and self.hole.text == THROUGH.text
 
     @property
+    def drill(self) -> Quantity | None:
+        """The diameter of the drill, where it is given."""
+        return None if self.through else self.hole
+
+    @property
     def holes(self) -> int:
         """How many holes are drilled."""
         return 0 if self.hole is None else 1 if self.spread is None else 2

@@ -17,9 +17,10 @@ from ...words import Words
 from ..base import Device, Length, Signed, Speed, Written, as_written
 from .asked import CLOSES, Weighing, of_rotor, weighing
 from .mass import RotorDisc, RotorMass
-from .plane import THROUGH, RotorPlane
+from .plane import RotorPlane
 from .refused import leaves_couple
 from .sought import check_sought, sought_quantities
+from .told import planes_told
 from .written import Entry, MassSize, Turning, named_well
 
 MOST, PLANES = 12, 2
@@ -195,6 +196,10 @@ class Rotor(Device):
             return sought_quantities(self.masses, self.weighing)
         return tuple(of_rotor(self.masses, self.planes, self.weighing, graded=self.tolerance is not None))
 
+    def told(self) -> tuple[Words, ...]:
+        """Where weights may sit, and how holes are drilled."""
+        return planes_told(self.correct)
+
     def given(self) -> tuple[tuple[str, str], ...]:
         """The masses, the planes, the grade, as written."""
         rows: list[tuple[str, Written | None]] = []
@@ -205,8 +210,7 @@ class Rotor(Device):
             rows += mass.own(name, self.disc)
         rows += [("b", self.disc.b), ("ρ", self.disc.density)]
         for end, plane in self.planes.items():
-            drill = None if plane.hole is THROUGH else plane.hole
-            rows += [(f"z_{{b{end}}}", plane.z), (f"r_{{b{end}}}", plane.r), (f"d_{{b{end}}}", drill)]
+            rows += [(f"z_{{b{end}}}", plane.z), (f"r_{{b{end}}}", plane.r), (f"d_{{b{end}}}", plane.drill)]
             rows += self.disc.unlike(f"b{end}", plane.b, plane.density) if plane.hole is not None else ()
         if (grade := self.tolerance) is not None:
             rows += [("G", grade.G), ("m", grade.mass), ("n", grade.n), ("z_S", grade.z)]

@@ -47,6 +47,7 @@ from .corners import corners_noted
 from .fits import clears, closes, first_angle, may_be_sized, stays_behind
 from .follower import Follower
 from .motion import Entry, Piece, pieces_of, read_entry, stations
+from .told import motion_told
 
 Motion = Annotated[Entry, BeforeValidator(read_entry), WithJsonSchema({"type": "string"})]
 FINEST, COARSEST = 5.0, 45.0  # deg between stations
@@ -192,8 +193,12 @@ class Cam(Device):
         keys = {*asked} or {one.key for one in self.quantities()}
         return () if self.follower.flat or not {RHO.key, RHO_PROFILE.key} & keys else corners_noted(self.pieces)
 
+    def told(self) -> tuple[Words, ...]:
+        """Which way it turns, and how the follower moves."""
+        return (motion_told(self.follower, self.pieces, clockwise=self.turns == "cw"),)
+
     def given(self) -> tuple[tuple[str, str], ...]:
-        """r0 or [α], follower, motion."""
+        """r0 or [α], and the sizes of the follower."""
         f, told = self.follower, [("r_0", self.r0)]
         if self.alpha:
             told = [("[α_1]", self.alpha.rise), ("[α_2]", self.alpha.back), ("[α_0]", self.alpha.start)]

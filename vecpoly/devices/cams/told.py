@@ -2,30 +2,60 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
 
 from ...words import Words
-from .cam import Cam
+from .follower import Follower
 from .motion import Piece
 
 
-def shape_told(cam: Cam) -> Words:
+def shape_told(base_circle: str, pieces: Sequence[Piece], *, swings: bool) -> Words:
     """基圆半径 r_0 = 40 mm，0～180° 按等速运动上升 30 mm，180°～360° 按等速运动返回."""
-    assert cam.r0 is not None
-    told = [_piece(piece, swings=bool(cam.arm)) for piece in cam.pieces]
-    text = cam.r0.text
+    told = [_from_to(piece, swings=swings) for piece in pieces]
     return Words(
-        f"基圆半径 $r_0$ = {text}，从动件在凸轮转角 {'，'.join(one.zh for one in told)}",
-        f"base circle $r_0$ = {text}; the follower " + ", ".join(one.en for one in told),
+        f"基圆半径 $r_0$ = {base_circle}，从动件在凸轮转角 {'，'.join(one.zh for one in told)}",
+        f"base circle $r_0$ = {base_circle}; the follower " + ", ".join(one.en for one in told),
     )
 
 
-def _piece(piece: Piece, *, swings: bool) -> Words:
+def motion_told(follower: Follower, pieces: Sequence[Piece], *, clockwise: bool) -> Words:
+    """凸轮逆时针转动，滚子移动从动件在 120° 内按余弦加速度运动上升 30 mm，停歇 30°……"""
+    turning = Words("凸轮顺时针转动，", "the cam turns clockwise; ") if clockwise else _CCW
+    end = _FLAT if follower.flat else _ROLLER if follower.roller else _KNIFE
+    way = Words("摆动", "oscillating") if follower.arm else Words("移动", "translating")
+    told = [_within(piece, swings=bool(follower.arm)) for piece in pieces]
+    return turning + Words(
+        f"{end.zh}{way.zh}从动件{'，'.join(one.zh for one in told)}",
+        f"its {way.en} {end.en} follower {', '.join(one.en for one in told)}",
+    )
+
+
+_CCW = Words("凸轮逆时针转动，", "the cam turns counter-clockwise; ")
+_KNIFE, _ROLLER, _FLAT = Words("尖顶", "knife-edge"), Words("滚子", "roller"), Words("平底", "flat-faced")
+
+
+def _from_to(piece: Piece, *, swings: bool) -> Words:
     start, end = (f"{degrees(angle):g}°" for angle in (piece.start, piece.end))
     if not piece.rises or piece.law is None:
         return Words(f"{start}～{end} 停歇", f"dwells from {start} to {end}")
-    lift = f"{degrees(piece.lift):g}°" if swings else f"{1e3 * piece.lift:g} mm"
-    law, up = piece.law.called, piece.rises > 0
+    way, lift, law = _way(piece, swings=swings), _lift(piece, swings=swings), piece.law.called
+    return Words(f"{start}～{end} 按{law.zh}{way.zh} {lift}", f"{way.en} {lift} from {start} to {end} by {law.en}")
+
+
+def _within(piece: Piece, *, swings: bool) -> Words:
+    angle = f"{degrees(piece.angle):g}°"
+    if not piece.rises or piece.law is None:
+        return Words(f"停歇 {angle}", f"dwells for {angle}")
+    way, lift, law = _way(piece, swings=swings), _lift(piece, swings=swings), piece.law.called
+    return Words(f"在 {angle} 内按{law.zh}{way.zh} {lift}", f"{way.en} {lift} in {angle} by {law.en}")
+
+
+def _way(piece: Piece, *, swings: bool) -> Words:
+    up = piece.rises > 0
     zh = ("摆出" if swings else "上升") if up else ("摆回" if swings else "返回")
-    en = ("swings out" if swings else "rises") if up else ("swings back" if swings else "returns")
-    return Words(f"{start}～{end} 按{law.zh}{zh} {lift}", f"{en} {lift} from {start} to {end} by {law.en}")
+    return Words(zh, ("swings out" if swings else "rises") if up else ("swings back" if swings else "returns"))
+
+
+def _lift(piece: Piece, *, swings: bool) -> str:
+    return f"{degrees(piece.lift):g}°" if swings else f"{1e3 * piece.lift:g} mm"

@@ -16,6 +16,7 @@ from ...words import Lang, Words
 
 _SENSED = re.compile(rf"\s*{SENSE}$")
 _ACCELERATIONS = (Kind.A, Kind.ALPHA)
+_SIZED = re.compile(r"(\d+(?:\.\d+)?) ?(?=°|mm|g\b|kg|N\b)")
 _RATES, _ANGULAR = ("ω_", "v_"), "α_"
 _UNIFORM, _CCW = Words("匀速", "constant"), Words("逆时针", "counter-clockwise")
 _CCW_POSITIVE = Words("以逆时针为正", "positive counter-clockwise")
@@ -29,9 +30,21 @@ def given_data(problem: Problem) -> tuple[Datum, ...]:
     """All that is given, in the order in which it is printed; of a device as it is."""
     data = problem.given.data
     if not isinstance(problem.subject, Mechanism):
-        return data
+        return tuple(one for one in data if not _is_said(one, problem.statement))
     uniform = _is_uniform(problem, problem.subject)
     return tuple(_told(one, problem, uniform) for one in data if not _needless(one, problem))
+
+
+def _is_said(one: Datum, statement: Words | None) -> bool:
+    """Whether the statement says what is given in words: it has all sizes in them."""
+    if one.words is None or statement is None:
+        return False
+    both = ((one.words.zh, statement.zh), (one.words.en, statement.en))
+    return all(_sizes(words) and _sizes(words) <= _sizes(text) for words, text in both)
+
+
+def _sizes(text: str) -> frozenset[float]:
+    return frozenset(float(found) for found in _SIZED.findall(text))
 
 
 def _needless(one: Datum, problem: Problem) -> bool:
