@@ -22,7 +22,7 @@ from ...units.reading import Dim, pure, read
 from ...words import Words
 
 MOST = 1000  # places of a curve
-SHOWN = 8  # places that are told among the givens
+SHOWN = 24  # places that are told among the givens
 SAME = 1e-9  # rad
 _HEAD = re.compile(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
 
@@ -172,7 +172,7 @@ def _unreadable() -> FaultError:
 
 def _told(rows: Sequence[tuple[float, float]]) -> str:
     pairs = [f"{degrees(phi):.6g}°: {moment:.6g}" for phi, moment in rows[:SHOWN]]
-    return ", ".join((*pairs, "…") if len(rows) > SHOWN else pairs) + " N·m"
+    return ", ".join(pairs) + (",… N·m" if len(rows) > SHOWN else " N·m")  # with a blank before it would be a range
 
 
 Moments = Annotated[Curve, BeforeValidator(read_curve), WithJsonSchema({"type": ["string", "array", "object"]})]
