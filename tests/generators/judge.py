@@ -19,6 +19,7 @@ from vecpoly.errors import LockedError, VecpolyError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.oracle.forces import forces
 from vecpoly.oracle.synthesis.registry import linkages
+from vecpoly.problem.problem import Problem
 from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
@@ -102,10 +103,20 @@ def _judged(text: str, also: Check, fitted: bool) -> Verdict:
         wrong = against_differences(problem.subject, solution)
     warning = solution.construction.warning
     wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or _nameless(solution)
-    wrong = wrong or also(solution)
+    wrong = wrong or _told_twice(problem) or also(solution)
     if not wrong and (none := solution.construction.conclusion) is not None:
         return Verdict(kind=Kind.REFUSED, why=f"no solution: {none.en}")
     return Verdict(kind=Kind.WRONG if wrong else Kind.RIGHT, why=wrong)
+
+
+def _told_twice(problem: Problem) -> str:
+    """A symbol that is given with two values; and a problem just read has values that may be varied."""
+    assert problem.parameters is not None  # raises where what was read is not what its values say
+    known: dict[str, str] = {}
+    for one in problem.given.data:
+        if one.symbol and known.setdefault(one.symbol, one.text) != one.text:
+            return f"{one.symbol} is given as {known[one.symbol]} and as {one.text}"
+    return ""
 
 
 def _nameless(solution: Solution) -> str:
