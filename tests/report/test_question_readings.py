@@ -73,7 +73,7 @@ def test_a_line_names_a_length_by_its_letters_where_more_than_a_scale_brings_it_
     (frame, *_) = blank_of("3-2")[0].figures
     assert {"$P_{24} C$ =", "$P_{24} E_2$ ="} <= set(told(frame))
     lines = [text for one in blank_of("slider-crank-dynamic")[0].figures for text in told(one)]
-    assert "$a_{S2}$ =" in lines and not any("F_{I" in text for text in lines)
+    assert "$a_{S2}/μ_a$ =" in lines and not any("F_{I" in text for text in lines)
 
 
 def test_an_angle_that_is_asked_has_its_degrees_and_no_scale() -> None:
