@@ -74,6 +74,17 @@ def test_a_bar_in_a_frame_is_as_long_as_its_round_value_is_to_scale(name: str) -
     assert bars
 
 
+@pytest.mark.parametrize("name", ["winch-gears", "4-3c", "six-bar-dynamic", "3-9"])
+def test_the_bar_of_a_scale_lies_in_its_frame_with_its_value(name: str) -> None:
+    """In a slim frame it began in the one beside it."""
+    for frame in blank_of(name).figures:
+        low, high = bounds(frame.marks[:4])
+        bar = [mark for mark in frame.marks if mark.key == BAR]
+        ends = [end.real for mark in bar if isinstance(mark, Segment) for end in (mark.a, mark.b)]
+        assert not ends or (min(ends) > low.real and max(ends) - min(ends) >= 5.0)
+        assert all(mark.at.real < high.real for mark in bar if isinstance(mark, Note))
+
+
 def test_a_body_is_printed_in_the_positions_that_a_synthesis_is_given_and_no_pin_that_it_finds() -> None:
     (frame,) = blank_of("three-positions-frame").figures
     letters = {mark.label for mark in frame.marks if isinstance(mark, Point)}

@@ -230,4 +230,8 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> F
     if told.placed:
         shown += tuple(origin((low + 1j * told.below, high - 1j * told.above)))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    return replace(figure, title=doubtful(figure.title), marks=border + shown + tuple(written(told, low, high)))
+    return replace(
+        figure,
+        title=doubtful(figure.title),
+        marks=border + shown + tuple(written(told.within(figure, size[0]), low, high)),
+    )
