@@ -23,7 +23,7 @@ from vecpoly.report.question.framed.aligned import CLOSE, aligned
 from vecpoly.report.question.framed.fields import KEY
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.origin import ORIGIN
-from vecpoly.report.question.framed.readings import READ, readings
+from vecpoly.report.question.framed.readings import READ, lined, readings
 from vecpoly.report.statement.asked import asked
 from vecpoly.words import bare
 
@@ -217,3 +217,11 @@ def test_what_is_read_in_a_frame_has_the_unit_of_its_row_in_the_table_of_results
         for one in read.blanks if read is not None else ():
             row = units.get(bare(f"${one.symbol}$"))
             assert not (one.scale and row) or row == written_unit(one.unit), one
+
+
+@pytest.mark.parametrize(("name", "column"), [("8-14", False), ("curv-3", False), ("3-9", True), ("4-3a", True)])
+def test_a_length_that_has_its_line_in_a_frame_is_not_written_into_the_table_once_more(name: str, column: bool) -> None:
+    """8-14 had each of its four lengths on paper twice; where one has no line (v_B on the way) the table has room."""
+    table = empty_table(drawn(name).solution, "en", lined(blank_of(name)[0]))
+    assert ("On paper /mm" in table.header) is column
+    assert "On paper /mm" in empty_table(drawn(name).solution, "en").header

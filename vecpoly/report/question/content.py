@@ -16,12 +16,13 @@ from ..content import Objects
 from ..flow.base import Block
 from ..flow.blocks import Drawing, Heading
 from ..plates.sketch import sketch_of
-from .blanks import empty_table, working_room
+from .blanks import are_lined, empty_table, working_room
 from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
 from .framed.known import begun, enlarged, is_circle
-from .lined import lined
+from .framed.readings import lined
+from .lined import lined as words_for
 from .sketches import sketching, to_sketch
 from .working import working
 
@@ -63,9 +64,10 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
     figures, blank = solution.construction.figures, sheets.figures
-    title = _READ if all(one.reading.mm is not None for one in solution.answers.values()) else _FOUND
-    table = empty_table(solution, lang)
-    foot = [Heading(title.of(lang), 3, lang), table, *lined(solution.problem.explain, lang)]
+    lengths = lined(sheets)
+    read = all(one.reading.mm is not None for one in solution.answers.values()) and not are_lined(solution, lengths)
+    title, table = _READ if read else _FOUND, empty_table(solution, lang, lengths)
+    foot = [Heading(title.of(lang), 3, lang), table, *words_for(solution.problem.explain, lang)]
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
