@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from tests.drawn_library import IDS, LIBRARY, drawn, given
+from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
 from tests.studies import solved
 from vecpoly import loads
@@ -113,7 +113,7 @@ def test_a_quick_return_that_is_to_be_found_is_sketched_in_proportions_that_are_
     assert lengths <= labels | told and set("ABCDE") <= labels
 
 
-DESIGNS = Later(lambda: [name for name in LIBRARY if isinstance(given(name).subject, Design)])
+DESIGNS = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Design)])
 
 
 @each(DESIGNS)

@@ -10,6 +10,7 @@ import pytest
 
 from tests.drawn_library import LIBRARY, drawn, given
 from tests.each import Later, each
+from tests.laws import few
 from vecpoly.devices.structure import Structure
 from vecpoly.report.document import report_bytes
 from vecpoly.report.flow.blocks import Heading
@@ -20,7 +21,7 @@ from vecpoly.report.question.working import LITTLE
 from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
-STRUCTURES = Later(lambda: [name for name in LIBRARY if isinstance(given(name).subject, Structure)])
+STRUCTURES = Later(lambda: few([name for name in LIBRARY if isinstance(given(name).subject, Structure)], 3))
 _PAGE = 240.0 * MM
 
 

@@ -49,7 +49,7 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
 
     Frames are of a few fixed sizes and together fill the sheet: a large drawing has a large frame, but neither the
     proportions of a polygon nor where it lies can be told from it. A circle diagram, which has no scale, has none where
-    that would need a sheet more: it stands in the text.
+    that would need a sheet more: it stands in the text; a mechanism that is drawn once more has none of its own.
     """
     on = problem.paper
     main = construction.figure(View.MECHANISM)
@@ -57,15 +57,15 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
     known = {(one.view, one.name): stands(construction, one, problem) for one in figures}
     figures = [one for one in figures if known[one.view, one.name] != one.marks]  # there is nothing to be drawn
     figures = [one for one in figures if not _is_drawn_again(one, figures, construction)]
-    asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
-    told = [fields(construction, figure) for figure in asked]
-    asked, told, found = _fewest(_choices(asked, told, problem), on)
+    drawn = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
+    lines = [fields(construction, figure) for figure in drawn]
+    asked, told, found = _fewest(_choices(drawn, lines, problem), on)
     sizes = [size for sheet in found for size in sheet.sizes]
-    drawn = tuple(
+    blank = tuple(
         _frame(figure, size, known[figure.view, figure.name], some)
         for figure, size, some in zip(asked, sizes, told, strict=True)
     )
-    return replace(construction, figures=drawn, hand=TO_BE_DRAWN), tuple(
+    return replace(construction, figures=blank, hand=TO_BE_DRAWN), tuple(
         Hung(sheet.landscape, sheet.tops) for sheet in found
     )
 
@@ -106,8 +106,9 @@ def _is_drawn_again(figure: Figure, among: Sequence[Figure], construction: Const
 
 def _parts(figure: Figure) -> frozenset[tuple[str, complex, complex]]:
     """The links and joints of a mechanism, each where it stands."""
-    drawn = (mark for mark in figure.marks if mark.owner and getattr(mark, "role", Role.LINK) is Role.LINK)
-    return frozenset((mark.owner, *map(_rounded, bounds([mark]))) for mark in drawn)
+    drawn = [mark for mark in figure.marks if mark.owner and getattr(mark, "role", Role.LINK) is Role.LINK]
+    boxes = [(mark.owner, bounds([mark])) for mark in drawn]
+    return frozenset((owner, _rounded(low), _rounded(high)) for owner, (low, high) in boxes)
 
 
 def _rounded(at: complex) -> complex:
