@@ -70,3 +70,17 @@ def test_the_foot_of_a_pivot_stands_inside_its_frame(name: str) -> None:
     for end in feet:
         assert low.real + 2.0 < end.real < high.real - 2.0 and low.imag + 2.0 < end.imag < high.imag - 2.0
     assert outline(figure)[0].imag <= min(mark.at.imag for mark in figure.marks if isinstance(mark, Ground)) - 3.0
+
+
+@pytest.mark.parametrize(("name", "sheets"), [("4-3c", 2), ("winch-gears", 3), ("cam-heart", 2), ("cam-rocker", 2)])
+def test_sheets_lie_each_its_own_way_where_that_spares_one(name: str, sheets: int) -> None:
+    """Those of one problem lay all upright or all across: five figures of 4-3c had a sheet each."""
+    assert len(frames(drawn(name).construction, drawn(name).problem)[1]) <= sheets
+
+
+@pytest.mark.parametrize(("name", "dropped"), [("3-1d", True), ("3-3", True), ("class-iii", False), ("8-4", False)])
+def test_a_mechanism_that_is_drawn_once_more_for_its_centres_has_one_frame(name: str, dropped: bool) -> None:
+    """None in which it would stand alone; drawn to another scale, or read off, it has its own."""
+    blank = frames(drawn(name).construction, drawn(name).problem)[0]
+    names = [one.name for one in blank.figures if one.view is View.MECHANISM]
+    assert ("" not in names) is dropped and names

@@ -39,7 +39,7 @@ from vecpoly.figures import View
 from vecpoly.report.document import markup
 from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.question.blanks import empty_table
-from vecpoly.report.question.equation_rows import CELLS, SUMMED, EquationRows, equation_rows
+from vecpoly.report.question.equation_rows import MOVING, SUMMED, EquationRows, equation_rows
 from vecpoly.report.question.framed.blank import framed
 from vecpoly.report.question.framed.fields import FIELDS
 from vecpoly.report.question.framed.frames import frames
@@ -147,26 +147,32 @@ def test_the_cells_of_an_equation_do_not_tell_how_many_terms_it_has_nor_its_sign
     """There is a Coriolis term in 3-7a, and none in 3-7d."""
     rows = equation_rows(drawn(name).solution, "en")
     sums = [step.equation for step in drawn(name).construction.steps if step.equation is not None]
-    assert len(rows) == len(sums) and {row.cells for row in rows} <= {CELLS, SUMMED}
+    assert len(rows) == len(sums) and {row.cells for row in rows} <= {*MOVING.values(), SUMMED}
     assert all(len(one.symbols) <= row.cells for row, one in zip(rows, sums, strict=True))
     for row in rows:
         printed = printed_words(row)
         assert not re.search(r"[+=]", printed), printed
 
 
-def test_an_equation_that_is_longer_than_others_gives_all_of_its_problem_as_many_cells() -> None:
-    rows = equation_rows(drawn("three-legged-plate").solution, "en")
-    longest = max(
-        len(step.equation.symbols) for step in drawn("three-legged-plate").construction.steps if step.equation
-    )
-    assert {row.cells for row in rows} == {max(CELLS, longest)}
+def test_an_equation_that_is_longer_than_others_gives_all_of_its_kind_as_many_cells() -> None:
+    """And those of another kind none: velocities keep their wide cells beside long accelerations."""
+    steps = [step for step in drawn("A-30-b").construction.steps if step.equation is not None]
+    rows = equation_rows(drawn("A-30-b").solution, "en")
+    for view, fewest in MOVING.items():
+        here = [(row, step.equation) for row, step in zip(rows, steps, strict=True) if step.view is view]
+        longest = max(len(one.symbols) for _, one in here if one is not None)
+        assert {row.cells for row, _ in here} == {max(fewest, longest)}
+    assert len({row.cells for row in rows}) == 2
 
 
-@pytest.mark.parametrize(("name", "cells"), [("3-9", CELLS), ("4-2", SUMMED)])
-def test_a_sign_has_a_column_of_its_own_behind_each_term_which_has_room_for_a_hand(name: str, cells: int) -> None:
-    for row in equation_rows(drawn(name).solution, "en"):
+@pytest.mark.parametrize(("name", "cells"), [("3-9", {5, 7}), ("4-2", {5}), ("3-4b", {5})])
+def test_a_sign_has_a_column_of_its_own_behind_each_term_which_has_room_for_a_hand(name: str, cells: set[int]) -> None:
+    """A velocity had seven narrow cells, of which it filled three."""
+    rows = equation_rows(drawn(name).solution, "en")
+    for row in rows:
         row.wrap(COLUMN, 500.0)
-        assert row.cells == cells and row.term >= 15.0 * MM
+        assert row.term >= (15.0 if row.cells > SUMMED else 20.0) * MM
+    assert {row.cells for row in rows} == cells
 
 
 def printed_words(row: EquationRows) -> str:

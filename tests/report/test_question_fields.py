@@ -74,6 +74,17 @@ def test_a_bar_in_a_frame_is_as_long_as_its_round_value_is_to_scale(name: str) -
     assert bars
 
 
+@pytest.mark.parametrize("name", ["winch-gears", "4-3c", "six-bar-dynamic", "3-9"])
+def test_the_bar_of_a_scale_lies_in_its_frame_with_its_value(name: str) -> None:
+    """In a slim frame it began in the one beside it."""
+    for frame in blank_of(name).figures:
+        low, high = bounds(frame.marks[:4])
+        bar = [mark for mark in frame.marks if mark.key == BAR]
+        ends = [end.real for mark in bar if isinstance(mark, Segment) for end in (mark.a, mark.b)]
+        assert not ends or (min(ends) > low.real and max(ends) - min(ends) >= 5.0)
+        assert all(mark.at.real < high.real for mark in bar if isinstance(mark, Note))
+
+
 def test_a_body_is_printed_in_the_positions_that_a_synthesis_is_given_and_no_pin_that_it_finds() -> None:
     (frame,) = blank_of("three-positions-frame").figures
     letters = {mark.label for mark in frame.marks if isinstance(mark, Point)}
@@ -97,16 +108,17 @@ def places_of(frame: Figure) -> list[complex]:
     return [mark.at for mark in frame.marks if isinstance(mark, Note) and mark.key == READ]
 
 
-@pytest.mark.parametrize("name", ["cam-undercut", "cam-flat-face"])
-def test_a_base_circle_is_printed_whole_with_its_centre_off_the_edge_of_its_frame(name: str) -> None:
-    """They were cut at the edge of the frame and over the lines to write on."""
+@pytest.mark.parametrize(("name", "whole"), [("cam-undercut", False), ("cam-heart", False), ("cam-flat-face", True)])
+def test_a_base_circle_lies_in_its_frame_whole_where_that_needs_no_sheet_more(name: str, whole: bool) -> None:
+    """They were cut at the edge of the frame and over the lines to write on; then three places of a cam had three
+    sheets, for circles of which a part has what is needed."""
     cams = [frame for frame in blank_of(name).figures if frame.name and frame.view is View.MECHANISM]
     for frame in cams:
         (circle,) = [mark for mark in frame.marks if isinstance(mark, Arc)]
         low, high = bounds(frame.marks[:4])
-        assert circle.sweep == pytest.approx(2 * pi)
-        reach = circle.centre - low, high - circle.centre
-        assert min(part for one in reach for part in parts(one)) > circle.radius
+        first, last = bounds([circle])
+        assert (circle.sweep == pytest.approx(2 * pi)) is whole
+        assert min(part for one in (first - low, high - last) for part in parts(one)) > 0.0
     assert cams
 
 

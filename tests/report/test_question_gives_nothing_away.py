@@ -6,12 +6,13 @@ import re
 
 import pytest
 
-from tests.drawn_library import IDS, drawn
-from tests.each import each
+from tests.drawn_library import IDS, drawn, given
+from tests.each import Later, each
 from tests.studies import solved
 from vecpoly import loads
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.marks import Note, Point
+from vecpoly.designs.base import Design
 from vecpoly.problem.load import load
 from vecpoly.problem.values.made import problem
 from vecpoly.report.question.blanks import empty_table
@@ -110,3 +111,14 @@ def test_a_quick_return_that_is_to_be_found_is_sketched_in_proportions_that_are_
     labels = {re.sub("[${}]", "", getattr(mark, "label", "") or "") for mark in first.marks}
     told = {re.sub("[${}]", "", mark.words.zh) for mark in first.marks if isinstance(mark, Note)}
     assert lengths <= labels | told and set("ABCDE") <= labels
+
+
+DESIGNS = Later(lambda: [name for name in IDS if isinstance(given(name).subject, Design)])
+
+
+@each(DESIGNS)
+def test_no_letter_stands_twice_on_the_sketch_of_what_is_given(name: str) -> None:
+    """The stroke H of K-slider-crank-BC stood at its line, and once more where the drawing letters another."""
+    figure = sketched(given(name), drawn(name).construction, 120.0, 70.0)
+    letters = [label for mark in (figure.marks if figure else ()) if (label := getattr(mark, "label", ""))]
+    assert len(letters) == len({*letters}), letters

@@ -22,7 +22,7 @@ from ..statement.asked import in_order, of_machines
 from ..statement.further import IF_ANY, further
 from ..statement.meant import meant_by
 from ..values import asked_as, called
-from .columns import HEADS, WITH_UNIT, Cells, headed, in_columns
+from .columns import HEADS, WITH_UNIT, Cells, headed, in_columns, is_headed
 from .found import as_found
 from .framed.readings import AWAY
 from .ruled import NONE, RuledTable
@@ -37,12 +37,23 @@ _SPEEDS = frozenset(("omega_m", "omega_max", "omega_min"))  # of a machine: size
 _ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求量", "Required")
 
 
-def empty_table(solution: Solution, lang: Lang) -> RuledTable:
+def empty_table(solution: Solution, lang: Lang, lined: frozenset[str] = frozenset()) -> RuledTable:
     """What is asked, by kinds as it is asked and each kind in the order in which it is found, with room for what is
-    read, what it comes to, and where it points; what has to be known on the way comes before."""
+    read, what it comes to, and where it points; what has to be known on the way comes before. lined: the symbols of
+    what has a line in a frame; where all that is read has one its length stands there, and here its value."""
     if all_sought(solution):
         return _solutions(solution, lang)
-    return in_columns(list(_in_order([*_between(solution, lang)], solution, lang)), lang)
+    rows = list(_in_order([*_between(solution, lang)], solution, lang))
+    if are_lined(solution, lined):
+        rows = [(row[0], row[1] if is_headed(row) else NONE, *row[2:]) for row in rows]
+    return in_columns(rows, lang)
+
+
+def are_lined(solution: Solution, lined: frozenset[str]) -> bool:
+    """Whether each length that is read has its line in a frame, those on the way too."""
+    read = {one.reading.symbol for one in solution.answers.values() if _measured(one)}
+    read |= {one.symbol for one in _valueless(solution) if _is_length(one)}
+    return bool(read) and read <= lined and not any(rel.is_vector for rel in _on_the_way(solution))
 
 
 def _in_order(first: list[Cells], solution: Solution, lang: Lang) -> Iterator[Cells]:
@@ -154,14 +165,19 @@ def _none(one: Reading, lang: Lang) -> Cells:
 def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
     """A row for each velocity and acceleration that is computed, neither asked nor given, under a heading: those of
     points, which are laid off, then those of links; the mean of a machine's speed, or its extremes, have no sense."""
-    known = {*solution.answers, *(_bare(datum.symbol) for datum in solution.problem.given.data)}
-    keys = dict.fromkeys(act.key for act in solution.construction.acts if isinstance(act, Compute))
-    found = [rel for key in keys if (rel := _motion(key)) is not None and not known & {key, _bare(rel.symbol)}]
+    found = _on_the_way(solution)
     if found:
         yield headed(_ON_THE_WAY.of(lang))
     for rel in sorted(found, key=_by_kind):
         way = NONE if rel.key in _SPEEDS else ""
         yield f"${rel.symbol}$", "" if rel.is_vector else NONE, "", _unit(rel.unit), way
+
+
+def _on_the_way(solution: Solution) -> list[Rel]:
+    """The velocities and accelerations that are computed, neither asked nor given."""
+    known = {*solution.answers, *(_bare(datum.symbol) for datum in solution.problem.given.data)}
+    keys = dict.fromkeys(act.key for act in solution.construction.acts if isinstance(act, Compute))
+    return [rel for key in keys if (rel := _motion(key)) is not None and not known & {key, _bare(rel.symbol)}]
 
 
 def _bare(symbol: str) -> str:

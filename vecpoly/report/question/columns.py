@@ -26,6 +26,7 @@ _WIDTHS = (30.0, 32.0, 34.0, 22.0, 40.0)  # mm: the first at least
 _LEAST = (30.0, 26.0, 28.0, 16.0, 30.0)  # mm: where names are long
 _BROAD = 85.0  # mm for names at most
 _PLACED = 54.0  # mm for the two coordinates of a place
+_COUNT = 20.0  # mm for a count, a yes or a class, where two blocks have room side by side
 _FEW = 6  # rows that do not stand in two blocks side by side
 
 
@@ -42,6 +43,8 @@ def in_columns(rows: Sequence[Cells], lang: Lang) -> RuledTable:
     kept = [i for i in range(len(HEADS)) if i in (0, 2) or any(not is_headed(row) and row[i] != NONE for row in rows)]
     heads, cells = [HEADS[i].of(lang) for i in kept], [[row[i] for i in kept] for row in rows]
     widths, align = _widths(rows, kept), "lcccc"[: len(kept)]
+    if kept == [0, 2] and 2 * (widths[0] + _COUNT) <= COLUMN / MM:
+        widths[1] = min(widths[1], COLUMN / MM / 2 - widths[0])
     if len(rows) > _FEW and 2 * sum(widths) <= COLUMN / MM:
         half = _middle(rows)
         cells = [[*one, *other] for one, other in zip_longest(cells[:half], cells[half:], fillvalue=[""] * len(kept))]

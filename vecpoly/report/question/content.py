@@ -13,14 +13,17 @@ from ...foundation.slotted import replace
 from ...solution import Solution
 from ...words import Lang, Words
 from ..content import Objects
+from ..flow.base import Block
 from ..flow.blocks import Drawing, Heading
 from ..plates.sketch import sketch_of
-from .blanks import empty_table, working_room
+from .blanks import are_lined, empty_table, working_room
 from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
 from .framed.known import begun, enlarged, is_circle
-from .lined import lined
+from .framed.readings import lined
+from .lined import lined as words_for
+from .sketches import sketching, to_sketch
 from .working import working
 
 WORKING = Words("计算过程", "Working")
@@ -45,6 +48,13 @@ def _circles(solution: Solution, blank: Sequence[Figure], lang: Lang) -> Iterato
             yield sketch_of(replace(large, marks=begun(large)), solution, lang, sketch=True)
 
 
+def _working(solution: Solution, foot: Sequence[Block], lang: Lang) -> list[Block]:
+    """Squares to work on with this at their foot; frames between them where something is sketched."""
+    name, room = WORKING.of(lang), working_room(solution)
+    titles = to_sketch(solution, lang)
+    return sketching(name, room, titles, foot, lang) if titles else working(name, room, foot, lang)
+
+
 def question(solution: Solution, sheets: Construction, lang: Lang, objects: Objects) -> dict[str, Any]:
     """Names of the rows for vector equations, of circle diagrams without a frame, and of the squares with the table of
     results at their foot, and lines for what is answered in words; whether a polygon is drawn from a pole that
@@ -54,14 +64,15 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
     figures, blank = solution.construction.figures, sheets.figures
-    title = _READ if all(one.reading.mm is not None for one in solution.answers.values()) else _FOUND
-    table = empty_table(solution, lang)
-    foot = [Heading(title.of(lang), 3, lang), table, *lined(solution.problem.explain, lang)]
+    lengths = lined(sheets)
+    read = all(one.reading.mm is not None for one in solution.answers.values()) and not are_lined(solution, lengths)
+    title, table = _READ if read else _FOUND, empty_table(solution, lang, lengths)
+    foot = [Heading(title.of(lang), 3, lang), table, *words_for(solution.problem.explain, lang)]
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     return ({"given": ""} if shown else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
         "circle": [objects.add("pic", one) for one in _circles(solution, blank, lang)],
-        "working": [objects.add("work", one) for one in working(WORKING.of(lang), working_room(solution), foot, lang)],
+        "working": [objects.add("work", one) for one in _working(solution, foot, lang)],
         "poles": any(map(_has_pole, blank)),
         "axes": any(figure.view.across is not None for figure in figures),
         "starts": any(map(_starts, blank)),

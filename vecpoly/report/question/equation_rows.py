@@ -27,9 +27,9 @@ _CAPTIONS = (
 _ROWS = len(_CAPTIONS)
 _ROW, _TITLE = 8.0 * MM, 6.5 * MM
 _BASE = (_ROW - CELL.size) / 2 + 1.5  # of type in a row
-CELLS, SUMMED = 7, 5  # of an equation of motion, and of a sum of forces, unless one has more terms than that
+MOVING = {View.VELOCITY: 5, View.ACCELERATION: 7}  # cells, unless an equation of the kind has more terms than that
+SUMMED = 5  # likewise of a sum of forces
 _SIGN = 5.0 * MM  # width of the column for the sign behind a term
-_MOTION = (View.VELOCITY, View.ACCELERATION)
 
 
 class EquationRows(Block):
@@ -38,7 +38,7 @@ class EquationRows(Block):
 
     pieces = True
 
-    def __init__(self, number: int, purpose: str, lang: Lang, *, cells: int = CELLS) -> None:
+    def __init__(self, number: int, purpose: str, lang: Lang, *, cells: int = SUMMED) -> None:
         super().__init__(4.0, 7.0)
         self._number, self.purpose, self._lang, self.cells = number, purpose, lang, cells
 
@@ -102,11 +102,15 @@ def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
 
 
 def _cells_of(step: Step, needed: Sequence[Step]) -> int:
-    """As many for each equation of a kind: motions, or sums of forces, mass-radius products, couples."""
-    alike = [one.equation for one in needed if _moves(one) is _moves(step)]
-    return max([CELLS if _moves(step) else SUMMED, *(len(one.symbols) for one in alike if one is not None)])
+    """As many for each equation of a kind: velocities, accelerations, or sums of forces, mass-radius products, couples;
+    wide ones for velocities, which have few terms."""
+    kind = _kind(step)
+    alike = [one.equation for one in needed if _kind(one) is kind]
+    fewest = SUMMED if kind is None else MOVING[kind]
+    return max([fewest, *(len(one.symbols) for one in alike if one is not None)])
 
 
-def _moves(step: Step) -> bool:
-    """Whether an equation is one of velocities or accelerations."""
-    return (step.view.view if isinstance(step.view, Pane) else step.view) in _MOTION
+def _kind(step: Step) -> View | None:
+    """Whether an equation is one of velocities or of accelerations; None of what is summed."""
+    view = step.view.view if isinstance(step.view, Pane) else step.view
+    return view if view in MOVING else None

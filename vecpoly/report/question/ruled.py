@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate
+from typing import Any
 
 from ...tagging.tree import artifact
 from ...typeset.box import MM, Glyphs
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from ..flow.cells import Cell
+from ..flow.results.banded import Rules
 from ..flow.style import GREY
 from ..flow.table import DataTable
 from ..flow.text.breaks import Line
@@ -22,6 +24,10 @@ NONE, FAINT = "—", (0.95, 0.95, 0.95)  # of a cell in which nothing is written
 
 class RuledTable(DataTable):
     """A table whose empty cells are filled in by hand; a row with nothing but its first text is the name of a group."""
+
+    def __init__(self, *args: Any, **settings: Any) -> None:
+        super().__init__(*args, **settings)
+        self._ruling = Rules(False, False, len(self.rows))  # a cell that is left over begins no group
 
     def _height(self, row: tuple[tuple[Line, ...], ...], tall: float) -> float:
         """As high as a hand needs it; a row of several lines is higher, one that nobody writes in lower."""

@@ -14,11 +14,11 @@ from ..flow.furniture import COLUMN
 from ..flow.style import PALE
 
 SQUARE = 5.0 * MM
-LEAST_ROOM, _LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; for a line or two, or over a tall table
+LEAST_ROOM, LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; for a line or two, or over a tall table
 BEGUN = 70.0 * MM  # of squares that go on overleaf: a lower strip stays white
-_TALL, _TALLEST = 180.0 * MM, 193.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
-_GAP = 3.0 * MM
-_CLOSE = 0.6  # of the room that the work has on lines of its own: so much it needs in two columns, which spares a page
+_TALL, TALLEST = 180.0 * MM, 193.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
+GAP = 3.0 * MM
+CLOSE = 0.6  # of the room that the work has on lines of its own: so much it needs in two columns, which spares a page
 _ON = {"zh": "{}（续）", "en": "{} (continued)"}
 
 
@@ -63,18 +63,18 @@ class Working(Block):
         self._lang, self.outline, self._need, self._foot = lang, title, need, tuple(foot)
         self.name = title
         self._head = (Heading(title, 3, lang),) if title else ()
-        low = need <= _LITTLE or sum(_tall(one, COLUMN) for one in foot) > _TALL
-        self._least = _LITTLE if low else LEAST_ROOM
+        low = need <= LITTLE or sum(tall(one, COLUMN) for one in foot) > _TALL
+        self._least = LITTLE if low else LEAST_ROOM
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """All that is left, where it suffices, if need be for work in two columns."""
-        need = max(_CLOSE * self._need, self._least) + self._other(width)
+        need = max(CLOSE * self._need, self._least) + self._other(width)
         self.width, self.height = width, height - 0.01 if height >= need - 0.02 else need
         return width, self.height
 
     def split(self, width: float, height: float) -> list[Block]:
         """What is left of this page, and the rest overleaf."""
-        room = height - sum(_tall(one, width) for one in self._head)
+        room = height - sum(tall(one, width) for one in self._head)
         if room < BEGUN:
             return []
         rest = Working(_ON[self._lang].format(self.name), max(self._need - room, self._least), self._foot, self._lang)
@@ -86,11 +86,11 @@ class Working(Block):
         """The heading, the squares, the foot."""
         top = self.height
         for one in self._head:
-            top -= _tall(one, self.width)
+            top -= tall(one, self.width)
             one.drawOn(self.canv, 0.0, top + one.getSpaceAfter())
-        at = sum(_tall(one, self.width) for one in self._foot)
+        at = sum(tall(one, self.width) for one in self._foot)
         for one in self._foot:
-            at -= _tall(one, self.width)
+            at -= tall(one, self.width)
             one.drawOn(self.canv, 0.0, at + one.getSpaceAfter())
         squares = Squares(self.height - self._other(self.width))
         squares.wrapOn(self.canv, self.width, self.height)
@@ -98,7 +98,7 @@ class Working(Block):
 
     def _other(self, width: float) -> float:
         """What is not for squares."""
-        return sum(_tall(one, width) for one in (*self._head, *self._foot)) + (_GAP if self._foot else 0.0)
+        return sum(tall(one, width) for one in (*self._head, *self._foot)) + (GAP if self._foot else 0.0)
 
 
 class Spare(Working):
@@ -118,7 +118,7 @@ class Spare(Working):
         """The foot first, then the squares that are left."""
         spare, top = self.height > self._footed(self.width) + 0.02, self.height
         for one in (*self._foot, *(self._head if spare else ())):
-            top -= _tall(one, self.width)
+            top -= tall(one, self.width)
             one.drawOn(self.canv, 0.0, top + one.getSpaceAfter())
         if spare:
             squares = Squares(top)
@@ -126,7 +126,7 @@ class Spare(Working):
             squares.drawOn(self.canv, 0.0, 0.0)
 
     def _footed(self, width: float) -> float:
-        return sum(_tall(one, width) for one in self._foot)
+        return sum(tall(one, width) for one in self._foot)
 
 
 def working(title: str, need: float, foot: Sequence[Block], lang: Lang) -> list[Block]:
@@ -135,11 +135,11 @@ def working(title: str, need: float, foot: Sequence[Block], lang: Lang) -> list[
     if not need and foot:
         return [Spare(title, 0.0, foot, lang)]
     need *= MM
-    if sum(_tall(one, COLUMN) for one in foot) <= _TALLEST:
+    if sum(tall(one, COLUMN) for one in foot) <= TALLEST:
         return [Working(title, need, foot, lang)]
     return [Working(title, need, (), lang), *foot]
 
 
-def _tall(block: Block, width: float) -> float:
+def tall(block: Block, width: float) -> float:
     """The height of a block with the white above and below it."""
     return float(block.wrap(width, 0.0)[1]) + block.getSpaceBefore() + block.getSpaceAfter()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import floor, log10
+from math import floor, inf, log10
 from typing import NamedTuple
 
 from ....algebra.quantity import number
@@ -16,7 +16,7 @@ from ....words import Words
 from ...picture import to_scale
 
 BAR = "bar"  # of its marks
-_LONGEST, _ROUND = 40.0, (1.0, 2.0, 5.0)  # mm; of its value
+_LONGEST, _SHORTEST, _ROUND = 40.0, 10.0, (1.0, 2.0, 5.0)  # mm, it is at most, it may be; of its value
 _TICK, _GAP = 1.0, 1.5  # mm: half of one at its ends and its middle; to its value
 _METRE, _MILLIMETRE, _MILLI = "m", "mm", 1e3
 
@@ -33,14 +33,20 @@ class Bar(NamedTuple):
         return self.long + _GAP + max(layout_words(text, NOTE).width for text in (self.told.zh, self.told.en))
 
 
-def bar_of(figure: Figure) -> Bar | None:
-    """The bar of a figure that is drawn to one scale; one with axes has its numbers there. A length is said to be that
-    of the mechanism: on the paper there is another bar, of the print."""
+def bar_of(figure: Figure, room: float = inf) -> Bar | None:
+    """The bar of a figure that is drawn to one scale, with its value no wider than this; one with axes has its numbers
+    there. A length is said to be that of the mechanism: on the paper there is another bar, of the print."""
     if not to_scale(figure) or figure.view.across is not None or figure.view is INDICATOR:
         return None
+    bar = _bar(figure, _LONGEST)
+    return bar if bar.wide <= room else _bar(figure, max(room - bar.wide + bar.long, _SHORTEST))
+
+
+def _bar(figure: Figure, longest: float) -> Bar:
+    """The longest of a round value."""
     scale = figure.scale.told
     per_mm, unit = (scale.value * _MILLI, _MILLIMETRE) if scale.unit == _METRE else (scale.value, scale.unit)
-    value = _round_down(_LONGEST * per_mm)
+    value = _round_down(longest * per_mm)
     text = f"{number(value, 3)} {unit}"
     return Bar(value / per_mm, Words(f"实际 {text}", f"{text} (real)") if unit == _MILLIMETRE else Words.same(text))
 

@@ -49,6 +49,10 @@ class Fields(NamedTuple):
         """How wide a frame should be for what is written (mm)."""
         return max(WRITTEN if self.unnumbered and self.broad else 0.0, self.read.wide if self.read is not None else 0.0)
 
+    def within(self, figure: Figure, width: float) -> Fields:
+        """With a bar that a frame of this width has room for."""
+        return self if self.bar is None else self._replace(bar=bar_of(figure, width - 2 * _EDGE))
+
     @property
     def below(self) -> float:
         """How high the lines under it are."""

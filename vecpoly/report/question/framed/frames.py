@@ -23,7 +23,7 @@ from .fields import Fields, fields, written
 from .grid import NARROWEST, Grid, Need, Size, grid, least_sheets, tightness
 from .known import begins_at, enlarged, is_circle, lettered, stands
 from .origin import origin
-from .readings import Form
+from .readings import Form, is_measured
 from .room import outline
 from .shapes import completed
 
@@ -49,27 +49,71 @@ def frames(construction: Construction, problem: Problem) -> tuple[Construction, 
 
     Frames are of a few fixed sizes and together fill the sheet: a large drawing has a large frame, but neither the
     proportions of a polygon nor where it lies can be told from it. A circle diagram, which has no scale, has none where
-    that would need a sheet more: it stands in the text.
+    that would need a sheet more: it stands in the text; a mechanism that is drawn once more has none of its own.
     """
     on = problem.paper
     main = construction.figure(View.MECHANISM)
-    figures = [completed(enlarged(lettered(one, main)), problem) for one in construction.figures]
+    figures = [enlarged(lettered(one, main)) for one in construction.figures]
     known = {(one.view, one.name): stands(construction, one, problem) for one in figures}
     figures = [one for one in figures if known[one.view, one.name] != one.marks]  # there is nothing to be drawn
-    asked = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
-    told, found = _with_fields(asked, [fields(construction, figure) for figure in asked], on)
-    less = [figure for figure in asked if not is_circle(figure)]
-    if less and len(less) < len(asked):
-        fewer = _with_fields(less, [fields(construction, figure) for figure in less], on)
-        asked, (told, found) = (less, fewer) if len(fewer[1]) < len(found) else (asked, (told, found))
+    figures = [one for one in figures if not _is_drawn_again(one, figures, construction)]
+    drawn = as_solved(reading_order([f for f in figures if to_scale(f) or f.aside or f.view is View.BODY]))
+    lines = [fields(construction, figure) for figure in drawn]
+    asked, told, found = _fewest(_choices(drawn, lines, problem), on)
     sizes = [size for sheet in found for size in sheet.sizes]
-    drawn = tuple(
+    blank = tuple(
         _frame(figure, size, known[figure.view, figure.name], some)
         for figure, size, some in zip(asked, sizes, told, strict=True)
     )
-    return replace(construction, figures=drawn, hand=TO_BE_DRAWN), tuple(
+    return replace(construction, figures=blank, hand=TO_BE_DRAWN), tuple(
         Hung(sheet.landscape, sheet.tops) for sheet in found
     )
+
+
+def _choices(
+    asked: Sequence[Figure], told: Sequence[Fields], problem: Problem
+) -> Iterator[tuple[Sequence[Figure], Sequence[Fields]]]:
+    """What may have frames, the best first: all figures, those about base circles with room for the whole of these;
+    without circle diagrams; with as much of base circles as the figures have room for."""
+    whole = [completed(one, problem) for one in asked]
+    there = [n for n, one in enumerate(asked) if not is_circle(one)] or [*range(len(asked))]
+    for some in (whole, asked):
+        yield some, told
+        yield [some[n] for n in there], [told[n] for n in there]
+
+
+def _fewest(
+    choices: Iterator[tuple[Sequence[Figure], Sequence[Fields]]], on: Paper
+) -> tuple[Sequence[Figure], Sequence[Fields], Sequence[Grid]]:
+    """The first of these choices that needs the fewest sheets, with what is written in its frames, and the sheets."""
+    tried: list[tuple[Sequence[Figure], Sequence[Fields], Sequence[Grid]]] = []
+    seen: list[Sequence[Figure]] = []
+    for asked, told in choices:
+        if asked not in seen:
+            seen.append(asked)
+            tried.append((asked, *_with_fields(asked, told, on)))
+    return min(tried, key=lambda one: len(one[2]))
+
+
+def _is_drawn_again(figure: Figure, among: Sequence[Figure], construction: Construction) -> bool:
+    """Whether a mechanism stands as it is in a later figure, and nothing is read off this one: there it is drawn."""
+    parts = _parts(figure)
+    if figure.view is not View.MECHANISM or not parts or is_measured(construction, figure):
+        return False
+    later = among[among.index(figure) + 1 :]
+    return any(one.view is figure.view and one.scale == figure.scale and parts <= _parts(one) for one in later)
+
+
+def _parts(figure: Figure) -> frozenset[tuple[str, complex, complex]]:
+    """The links and joints of a mechanism, each where it stands."""
+    drawn = [mark for mark in figure.marks if mark.owner and getattr(mark, "role", Role.LINK) is Role.LINK]
+    boxes = [(mark.owner, bounds([mark])) for mark in drawn]
+    return frozenset((owner, _rounded(low), _rounded(high)) for owner, (low, high) in boxes)
+
+
+def _rounded(at: complex) -> complex:
+    """To a thousandth of a millimetre."""
+    return complex(round(at.real, 3), round(at.imag, 3))
 
 
 def as_solved(figures: Sequence[Figure]) -> list[Figure]:
@@ -143,18 +187,20 @@ def _with_poles(asked: Sequence[tuple[Figure, Fields]], white: float, near: floa
 
 
 def _found(needs: Sequence[Need], on: Paper) -> list[Grid]:
-    """The sheets on which these frames are best, whichever way they lie."""
-    return min((_laid(needs, way, on.format) for way in on.ways), key=tightness)
+    """The sheets on which these frames are best, whichever way they lie, each its own way where that spares one."""
+    ways = dict.fromkeys([*((way,) for way in on.ways), on.ways])
+    return min((_laid(needs, some, on.format) for some in ways), key=tightness)
 
 
-def _laid(needs: Sequence[Need], landscape: bool, of: Format) -> list[Grid]:
-    """The fewest sheets that lie this way, in order, with the most ease among these."""
+def _laid(needs: Sequence[Need], ways: Sequence[bool], of: Format) -> list[Grid]:
+    """The fewest sheets that lie in one of these ways (landscape or not), in order, with the most ease among these."""
     best: list[list[Grid]] = [[]]
     for end in range(1, len(needs) + 1):
         options = [
             [*best[start], sheet]
             for start in range(max(0, end - MOST), end)
-            if (sheet := grid(tuple(needs[start:end]), landscape, of)) is not None
+            for way in ways
+            if (sheet := grid(tuple(needs[start:end]), way, of)) is not None
         ]
         best.append(min(options, key=tightness))
     return best[-1]
@@ -185,4 +231,8 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> F
     if told.placed:
         shown += tuple(origin((low + 1j * told.below, high - 1j * told.above)))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
-    return replace(figure, title=doubtful(figure.title), marks=border + shown + tuple(written(told, low, high)))
+    return replace(
+        figure,
+        title=doubtful(figure.title),
+        marks=border + shown + tuple(written(told.within(figure, size[0]), low, high)),
+    )

@@ -53,16 +53,17 @@ class Grid:
     slim: float
 
 
-def tightness(sheets: Sequence[Grid]) -> tuple[float, int, bool, int, float, float, float]:
+def tightness(sheets: Sequence[Grid]) -> tuple[float, int, bool, bool, int, float, float, float]:
     """No figure without its white is best; then the fewer the sheets the better, the first with a figure beside that
-    of the mechanism, from which directions are carried over, no frame drawn out, no tight one, none that is much
-    looser than another, no slim one."""
+    of the mechanism, from which directions are carried over, all of them lying one way, no frame drawn out, no tight
+    one, none that is much looser than another, no slim one."""
     bare = round(sum(max(0.0, 1.0 - sheet.ease) for sheet in sheets), 3)
     ease = min((sheet.ease for sheet in sheets), default=1.0)
     spread, slim = (max((getattr(one, name) for one in sheets), default=1.0) for name in ("spread", "slim"))
     drawn_out = sum(sheet.slim > _SLIM for sheet in sheets)
     alone = len(sheets) > 1 and len(sheets[0].sizes) == 1
-    return bare, len(sheets), alone, drawn_out, -ease, round(spread, 1), slim
+    turned = len({sheet.landscape for sheet in sheets}) > 1
+    return bare, len(sheets), alone, turned, drawn_out, -ease, round(spread, 1), slim
 
 
 @lru_cache(maxsize=1024)  # frames are tried with and without more in one of them: most sheets stay as they are

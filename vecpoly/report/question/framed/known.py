@@ -54,11 +54,12 @@ def given(construction: Construction, figure: Figure, problem: Problem) -> tuple
     marks = [mark for mark in figure.marks if mark.act in known]
     places = [mark.at for mark in marks if isinstance(mark, Point)]
     first = min((mark.step for mark in marks if isinstance(mark, Point)), default=0)
-    return tuple(
-        mark
-        for mark in marks
-        if (mark.step == first and _stands(mark, places)) or (isinstance(mark, Point) and mark.label in named)
-    )
+    return tuple(mark for mark in marks if (mark.step == first and _stands(mark, places)) or _is_named(mark, named))
+
+
+def _is_named(mark: Mark, named: set[str]) -> bool:
+    """Whether it is a point that the data name, and no letter of a line that is drawn later: of the stroke H."""
+    return isinstance(mark, Point) and mark.dot is not Dot.NONE and mark.label in named
 
 
 def _stands(mark: Mark, places: list[complex]) -> bool:

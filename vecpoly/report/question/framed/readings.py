@@ -5,6 +5,7 @@ alone, then none: the results have a table. What is read on the way has its plac
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
 from math import ceil
@@ -27,6 +28,7 @@ _ROOM, _LONGEST, _BEHIND = 16.0, 40.0, 0.5  # mm for a number to be written: at 
 _MOST = 4  # lines in full
 _APART = 5.0  # mm between two quantities on a line
 _DEGREE = "°"
+_SYMBOL = re.compile(r"\$([^$]+?)(?:/μ[^$]*)?\$")  # before a line, with the scale by which its value is divided
 _UNITS = {"deg": _DEGREE}  # where not as printed
 AWAY = "^{∞}"  # of a centre, which tells where it lies
 
@@ -105,6 +107,13 @@ def readings(construction: Construction, figure: Figure) -> Readings | None:
         return None
     blanks = tuple(dict.fromkeys(_asked(construction, figure)))
     return Readings(blanks) if 0 < len(blanks) <= NAMED else None
+
+
+def lined(sheets: Construction) -> frozenset[str]:
+    """The symbols of what has a line of its own in one of these frames."""
+    notes = (mark for figure in sheets.figures for mark in figure.marks if isinstance(mark, Note) and mark.key == READ)
+    found = (_SYMBOL.match(mark.words.en) for mark in notes)
+    return frozenset(match[1] for match in found if match is not None)
 
 
 def is_measured(construction: Construction, figure: Figure) -> bool:
