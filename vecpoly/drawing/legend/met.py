@@ -60,7 +60,13 @@ def imagined(figure: Figure, mark: Mark) -> bool:
     if not _fine(mark) or in_centre_polygon(figure) or of_rotor(figure):
         return False
     taken = in_axial_view(figure, mark) or to_counterweight(figure, mark)
-    return not taken and not any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+    return not taken and not _of_linkages(figure)
+
+
+def _of_linkages(figure: Figure) -> bool:
+    """Whether it is the sheet on which a linkage is found, or has one in several positions."""
+    several = any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+    return several or figure.title.zh.startswith("机构的综合")
 
 
 def in_axial_view(figure: Figure, mark: Mark) -> bool:
@@ -83,7 +89,7 @@ def designed(role: Role, *, given: bool) -> Met:
         and figure.view is View.MECHANISM
         and not figure.name
         and (mark.step <= 1 or not _between_pins(figure, mark)) is given
-        and any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+        and _of_linkages(figure)
     )
 
 
