@@ -78,7 +78,7 @@ def _unexplained(name: str) -> Iterator[tuple[str, Mark]]:
                 yield figure.view.name, mark
 
 
-@each([*IDS, *FOUND])
+@each([*IDS, *FOUND, *APART])
 def test_every_line_and_sign_of_a_figure_has_an_entry_or_is_one_of_the_standards(name: str) -> None:
     assert not [*_unexplained(name)]
 
