@@ -53,7 +53,7 @@ def in_place_of_the_library(members: Mapping[str, str], files: Sequence[str]) ->
     ):
         setattr(room, name, value)
     # of what is refused when it is drawn as on paper no sheet is claimed
-    setattr(drawn_library, "DRAFTED", tuple(name for name in names if drawn_library.drafted(name) is not None))
+    drawn_library.DRAFTED = tuple(name for name in names if drawn_library.drafted(name) is not None)
     pytest.main(["-q", "-n0", "-p", "no:cacheprovider", "--noconftest", "--tb=no", "-rN", *files], plugins=[_Only()])
     return tried
 

@@ -27,8 +27,8 @@ _BY_TRIAL = Words(
     "在给定直线上试取固定铰链 $M$，取平面 $S$ 的位置 1 为“机架”，将 $M$ 随 $S$ 反转，得 $M_2^′$、$M_3^′$、$M_4^′$。"
     "过 $M$、$M_2^′$、$M_3^′$ 作圆，$M_4^′$ 到圆周的偏差随 $M$ 而变；偏差为零处即圆心点，圆心即圆点 $N_1$。",
     "Try a fixed pin $M$ on the given line. Take the body $S$ in position 1 for the frame and turn $M$ back with it: "
-    "$M_2^′$, $M_3^′$, $M_4^′$. How far $M_4^′$ is off the circle through $M$, $M_2^′$, $M_3^′$ changes with $M$; where "
-    "it is on it, $M$ is a centre point, the centre of the circle its circle point $N_1$.",
+    "$M_2^′$, $M_3^′$, $M_4^′$. How far $M_4^′$ is off the circle through $M$, $M_2^′$, $M_3^′$ changes with $M$; "
+    "where it is on it, $M$ is a centre point, the centre of the circle its circle point $N_1$.",
 )
 _AGAIN = Words(
     "在另一给定直线上同样试取固定铰链 $M$，求其上的圆心点和圆点。",
