@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from ...board.construction import Figure, View
 from ...board.paper.marks import Arc, Curve, Disc, Dot, Mark, Outline, Plate, Point, Role, Segment, Vector
@@ -243,11 +243,6 @@ def of_rotor(figure: Figure) -> bool:
 def along_shaft(figure: Figure) -> bool:
     """Whether it shows where the masses of a rotor stand along its shaft."""
     return figure.view is View.MECHANISM and any(mark.owner == "shaft" for mark in figure.marks)
-
-
-def area(points: Sequence[complex]) -> float:
-    """Of a polygon, mm²."""
-    return abs(sum((a.conjugate() * b).imag for a, b in zip(points, (*points[1:], *points[:1]), strict=True))) / 2
 
 
 def has_lobes(figure: Figure) -> bool:
