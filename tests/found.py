@@ -7,5 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 _FILES = sorted((Path(__file__).parent / "data" / "found").glob("*/*.yaml"))
-FOUND: Mapping[str, str] = {file.stem: file.read_text(encoding="utf-8") for file in _FILES}
-FORCES = tuple(file.stem for file in _FILES if file.parent.name == "forces")  # about loads, and devices
+_FOLDERS = tuple((file.stem, file.parent.name) for file in _FILES)
+EVERY: Mapping[str, str] = {file.stem: file.read_text(encoding="utf-8") for file in _FILES}
+APART = tuple(name for name, folder in _FOLDERS if folder in ("devices", "designs"))  # what analyses no mechanism
+FOUND: Mapping[str, str] = {name: text for name, text in EVERY.items() if name not in APART}
+FORCES = tuple(name for name, folder in _FOLDERS if folder == "forces")  # about loads

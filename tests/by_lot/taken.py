@@ -48,10 +48,12 @@ def in_place_of_the_library(members: Mapping[str, str], files: Sequence[str]) ->
     names = tuple(members)
     for room, name, value in (
         *((room, "load", in_place_of(vars(room)["load"])) for room in (loading, door, drawn_library)),
-        *((drawn_library, name, names) for name in ("LIBRARY", "IDS", "DRAFTED")),
+        *((drawn_library, name, names) for name in ("LIBRARY", "IDS")),
         (each, "each", of_members),
     ):
         setattr(room, name, value)
+    # of what is refused when it is drawn as on paper no sheet is claimed
+    drawn_library.DRAFTED = tuple(name for name in names if drawn_library.drafted(name) is not None)
     pytest.main(["-q", "-n0", "-p", "no:cacheprovider", "--noconftest", "--tb=no", "-rN", *files], plugins=[_Only()])
     return tried
 

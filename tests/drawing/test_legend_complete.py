@@ -10,7 +10,7 @@ import vecpoly
 from tests.drawn_library import DRAFTED, IDS, drawn
 from tests.drawn_sheets import laid
 from tests.each import each
-from tests.found import FOUND
+from tests.found import APART, FOUND
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import (
     AngleMark,
@@ -78,12 +78,12 @@ def _unexplained(name: str) -> Iterator[tuple[str, Mark]]:
                 yield figure.view.name, mark
 
 
-@each([*IDS, *FOUND])
+@each([*IDS, *FOUND, *APART])
 def test_every_line_and_sign_of_a_figure_has_an_entry_or_is_one_of_the_standards(name: str) -> None:
     assert not [*_unexplained(name)]
 
 
-@each(IDS)
+@each([*IDS, *FOUND, *APART])
 def test_no_legend_says_outline_where_it_can_say_of_what(name: str) -> None:
     """Nor names a line twice, by two kinds that stand for the same."""
     for figure in drawn(name).construction.figures:

@@ -98,7 +98,8 @@ def test_a_letter_stands_where_no_other_arc_lies_between() -> None:
 @each(IDS)
 def test_in_the_library_arrows_of_speeds_and_moments_cross_no_link_where_there_is_another_place(name: str) -> None:
     for figure in (one for one in drawn(name).construction.figures if one.view.bodies):
-        links = [line(m) for m in figure.marks if isinstance(m, Segment) and m.role is Role.LINK and m.a != m.b]
+        edges = [shapely.LineString([(z.real, z.imag) for z in ends]) for ends in outlines(figure.marks)]
+        links = [edge for edge in edges if edge.length]  # bars, and the edges of plates
         marks = swung(figure.marks)
         before, after = (
             [sum(link.distance(arc(mark)) < 0.3 for link in links) for mark in some if isinstance(mark, TurnArrow)]

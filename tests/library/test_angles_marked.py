@@ -8,6 +8,7 @@ from math import degrees, pi
 
 from tests.drawn_library import IDS, drawn, given, ids
 from tests.each import Later, each
+from tests.found import APART
 from vecpoly.board.paper.marks import AngleMark, Ground, Point
 from vecpoly.designs.base import Design
 
@@ -16,7 +17,7 @@ LIMITS = ("8-3a", "8-3b", "8-3c", "8-17", "8-18")  # angles that are read in a g
 DESIGNS = Later(lambda: (name for name in dict.fromkeys((*IDS, *LIMITS)) if isinstance(given(name).subject, Design)))
 
 
-@each(Later(lambda: dict.fromkeys((*ids(mechanisms=False), *LIMITS))))
+@each(Later(lambda: dict.fromkeys((*ids(mechanisms=False), *LIMITS, *APART))))
 def test_an_angle_with_a_number_is_so_wide(name: str) -> None:
     for mark in angles(name):
         if (told := NUMBERED.search(mark.label)) is not None:

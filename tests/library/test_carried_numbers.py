@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.drawn_library import DRAFTED, drafted
+from tests.drawn_library import DRAFTED, IDS, drafted, drawn
 from tests.each import each
 from vecpoly.algebra.formula import Row, plain, sym
 from vecpoly.printed.digits import drawn_number
@@ -87,6 +87,17 @@ def test_what_is_laid_off_is_divided_as_it_is_printed(name: str) -> None:
         of, scale = parts[1].strip("()").split(")/(") if parts[1].count(")/(") == 1 else ("", "")
         if scale.startswith("μ_") and of in ends and of not in asked:
             assert parts[2].startswith(f"({ends[of]})"), f"{of} = {ends[of]}: {' = '.join(parts)}"
+
+
+@each((*IDS, "excavator-boom", "offset-slide-drives"))
+def test_no_size_is_measured_on_a_polygon_where_it_was_laid_off(name: str) -> None:
+    laid = set[str]()
+    for line in (plain(one) for step in drawn(name).construction.steps for one in step.formulas):
+        symbol, _, worked = line.partition(" = ")
+        formula = worked.split(" = ")[0]
+        assert symbol not in laid or not formula.startswith("μ_"), line
+        if (size := re.fullmatch(r"\((\S+)\)/\(μ_\S+\)", formula)) is not None:
+            laid.add(size[1])
 
 
 def test_what_later_lines_go_on_with_to_more_figures_than_it_is_answered_is_told_so_where_it_is_found() -> None:

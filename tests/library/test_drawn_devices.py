@@ -11,6 +11,7 @@ import shapely
 from tests import drawn_library
 from tests.drawn_library import drawn, ids
 from tests.each import Later, each
+from tests.found import APART
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import (
     AngleMark,
@@ -188,7 +189,7 @@ def test_the_nut_stands_on_the_thread_and_climbs_it() -> None:
     assert (load.b - load.a).imag < 0 and abs((load.b - load.a).real) < 1e-9
 
 
-@each(Later(lambda: ids(mechanisms=False)))
+@each(Later(lambda: (*ids(mechanisms=False), *APART, "dead-centre")))
 def test_the_sides_of_an_angle_that_is_marked_are_lines_through_its_corner(name: str) -> None:
     for figure in drawn(name).construction.figures:
         lines = [line for mark in figure.marks for line in straight(mark)]

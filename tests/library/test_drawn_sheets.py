@@ -68,7 +68,7 @@ def test_figures_whose_scale_is_free_take_three_fifths_of_their_sheet_or_meet_it
             assert share(sheet) >= FILLED or reach >= 1.0, [figure.extents for figure in sheet.figures]
 
 
-@each(SHEETS)
+@each((*SHEETS, "loop-wider-than-its-page"))
 def test_all_pages_of_a_problem_are_turned_one_way(name: str) -> None:
     assert len({sheet.landscape for sheet in laid(name) if not sheet.plate}) <= 1
 

@@ -126,7 +126,7 @@ def test_where_a_bar_leaves_a_block_of_its_own_link_the_corner_is_filled(name: s
         blocks = [mark for mark in figure.marks if isinstance(mark, Block)]
         for block in blocks:
             bars = [line for line in lines(figure.marks, block.owner) if any(_within(block, end) for end in line)]
-            out = [line for line in bars if not all(_within(block, end) for end in line)]
+            out = [line for line in bars if not all(_within(block, end, NEAR) for end in line)]  # past its walls
             corners = [m for m in figure.marks if isinstance(m, Weld) and m.owner == block.owner and m.at == block.at]
             for start, end in out:
                 a, b = (start, end) if _within(block, start) else (end, start)
@@ -143,9 +143,10 @@ def _leaves(corner: Weld, start: complex, end: complex) -> bool:
     return abs(turn.imag) < 1e-6 * abs(turn) and turn.real > 0 and abs(foot.imag) * abs(end - start) < NEAR
 
 
-def _within(block: Block, at: complex) -> bool:
+def _within(block: Block, at: complex, by: float = -NEAR) -> bool:
+    """Whether a place is in a block, or by no more than this beyond its walls."""
     foot = (at - block.at) / block.along
-    return abs(foot.real) < block.length / 2 - NEAR and abs(foot.imag) < 2.5 - NEAR
+    return abs(foot.real) < block.length / 2 + by and abs(foot.imag) < 2.5 + by
 
 
 @each(DIAGRAMS)

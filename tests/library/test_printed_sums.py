@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from tests.drawn_library import DRAFTED, drafted, hanging
 from tests.each import each
+from tests.found import APART
 from tests.laws import often
 from tests.pocket import Sum, sums
 from vecpoly.algebra.formula import Node, Sym, plain
@@ -53,7 +54,7 @@ def told(name: str) -> tuple[Sum, ...]:
     return tuple(one for text in texts(name) for one in read[text])
 
 
-@each(DRAFTED)
+@each((*DRAFTED, *APART))
 def test_every_line_of_the_steps_gives_its_printed_result(name: str) -> None:
     for one in told(name):
         assert one.holds, f"{one.text}: {one.reckoned:.7g}"

@@ -6,12 +6,12 @@ from itertools import pairwise
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
-from tests.found import FOUND
+from tests.found import APART, FOUND
 
 READS_A_TURN = ("Find $ω", "Point $")  # ω = v/l, or no velocity and so no ω
 
 
-@each([*IDS, *FOUND])
+@each([*IDS, *FOUND, *APART])
 def test_no_two_steps_of_a_problem_say_the_same(name: str) -> None:
     steps = drawn(name).construction.steps
     for language in ("zh", "en"):

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tests.drawn_library import IDS, LIBRARY, drawn, ids
 from tests.each import Later, each
+from tests.found import FOUND
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.paper.marks import Point
@@ -88,7 +89,7 @@ def test_a_length_that_is_read_has_the_letters_that_stand_at_its_ends(name: str)
         assert any(abs(abs(p - q) - length) < NEARLY for p in one for q in two), line
 
 
-@each(Later(ids))
+@each(Later(lambda: (*ids(), *FOUND)))
 def test_two_lengths_of_a_polygon_have_not_the_same_letters(name: str) -> None:
     found: dict[tuple[str, frozenset[Letter]], float] = {}
     for scale, letters, length, line in lengths_read(name):

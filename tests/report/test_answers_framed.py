@@ -104,7 +104,8 @@ def test_nothing_is_said_in_a_note_that_the_table_shows(name: str) -> None:
         rows = rows_in(box)
         told = " ".join(box.notes)
         shown = {cell.rstrip("*") for row in rows for column in ("off", "error") for cell in [row.in_unit(column)[0]]}
-        assert not {text for text in shown if len(text) > 2} & set(re.findall(r"[+−]?\d+\.\d+", " ".join(box.notes)))
+        said = re.sub(r"(\$[^$]+\$) \d+\.\d mm", r"\1", told)  # but for how long what is too short is on paper
+        assert not {text for text in shown if len(text) > 2} & set(re.findall(r"[+−]?\d+\.\d+", said))
         over = [row for row in rows if exceeds(row.in_unit("off")[0], row.in_unit("error")[0])]
         assert all(row.name in told for row in over)
         assert ("超过预期误差" in told or "what is expected" in told) is bool(over)

@@ -113,6 +113,19 @@ def test_a_number_that_is_given_with_an_exponent_is_printed_as_in_a_book(written
     assert as_printed(written, "zh") == zh
 
 
+@pytest.mark.parametrize(
+    ("written", "en"),
+    [
+        ("-0 rad/s^2", "0 rad/s^2"),
+        ("(-0.0, -3) mm", "(0.0, −3) mm"),
+        ("-0.5 mm", "−0.5 mm"),
+        ("-0.05 mm at -0 deg", "−0.05 mm at 0°"),
+    ],
+)
+def test_zero_has_no_minus(written: str, en: str) -> None:
+    assert as_printed(written, "en") == en
+
+
 @each(LIBRARY)
 def test_a_speed_in_turns_a_minute_stands_in_no_table_as_an_angular_velocity(name: str) -> None:
     for lang in LANGS:

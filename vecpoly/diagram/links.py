@@ -127,7 +127,7 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
             yield rolling.on.link, rack_marks(posed, rolling, rolling.on)
     for name in dict.fromkeys(joint.block for joint in posed.slides() if _has_block(posed, joint)):
         yield name, _welded(name, paper)
-    for letter in posed.hinged():
+    for letter in posed.hinged() | posed.rollers():
         pinned = posed.pinned(letter)
         if posed.is_located(*pinned):
             at = posed.at[letter]

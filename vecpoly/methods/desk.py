@@ -99,7 +99,8 @@ class Desk(Diagram):
         other = self.show(rel.ref).removeprefix(rel.ref.point) if rel.ref is not None else ""
         if not number:  # a block's pin, that has none beside the numbers of its guides
             return f"k_{other}^′" if other else "k′"
-        alike = taken or sum(number in (joint.guide, joint.block) for joint in turning) > 1
+        pairs = ((joint.guide, joint.block, self.coincident.get(joint.pin)) for joint in turning)
+        alike = taken or sum(number in pair for pair in pairs) > 1
         return f"k_{number}{other if alike else ''}^′"
 
     def n_tip(self, link: str, primes: int = 1) -> str:

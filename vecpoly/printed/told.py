@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from math import isclose, isfinite, log10
+from math import floor, isclose, isfinite, log10
 
 from ..algebra.columns import significant
 from ..algebra.formula import Node, Row, Sym, Txt, named
@@ -185,9 +185,12 @@ def number_at_the_end(end: Node) -> str | None:
 
 
 def number_of(answer: Answer, value: float, scale: float) -> str:
-    """A value with the digits of the answer, in a unit of which the SI unit has so many."""
-    places, factor = decimals(answer), printed_unit(answer.reading.unit)[0]
-    return rounded(value, None if places is None else max(0, places + round(log10(factor / scale))), MOST)
+    """A value with the digits of the answer, in a unit of which the SI unit has so many; what is told whole as it is
+    printed has all its figures in the SI unit, too: 71.107 m = 71107 mm."""
+    places, finer = decimals(answer), printed_unit(answer.reading.unit)[0] / scale
+    before_the_point = floor(log10(abs(value) * finer)) + 1 if value else 0
+    most = max(MOST, before_the_point)
+    return rounded(value, None if places is None else max(0, places + round(log10(finer))), most)
 
 
 def _to_scale(line: Row, size: float) -> str:

@@ -8,7 +8,7 @@ from ...board.construction import Figure, View
 from ...board.paper.marks import Arc, GearMark, Mark, Point, RackMark, Role, Segment
 from ...words import Words
 from .kind import Kind
-from .letters import is_of_cam, is_of_gear
+from .letters import is_of_cam, is_of_curvature, is_of_gear
 from .met import Met, imagined, is_outline, of_rotor, on_curvature, traced
 from .samples import line
 
@@ -142,7 +142,7 @@ THIN = tuple(
         ("支承环面", "bearing ring", _on("collar")),
         ("选定的曲柄线", "crank line that is kept", _on("trial cranks")),
         ("自变量的区间", "range of the variable", _on("precision points")),
-        ("曲率驻点曲线的直线", "line of the cubic", _on("curvature")),
+        ("曲率驻点曲线的直线", "line of the cubic", lambda figure, _: is_of_curvature(figure)),
         ("轮廓、连线", "outline or connecting line", _any),
         plain=True,
     )

@@ -33,7 +33,6 @@ from .circles import FINE, ROUNDS, THIN, is_return_circle, of_rack, osculating
 from .entry import HALF, MIDDLE, WIDE, Entry, drawn_as_on
 from .kind import Kind
 from .met import (
-    area,
     designed,
     dotted,
     has_lobes,
@@ -55,9 +54,14 @@ from .samples import arrow, image, line, passing, pinned, welded
 LEAST, NARROW = 8.0, 1.0  # mm², mm: an image with a smaller area, or not as wide, is seen as a line
 
 
+def _area(points: Sequence[complex]) -> float:
+    """Of a polygon, mm²."""
+    return abs(sum((a.conjugate() * b).imag for a, b in zip(points, (*points[1:], *points[:1]), strict=True))) / 2
+
+
 def is_seen(image: Sequence[complex]) -> bool:
     """Whether the tint of an image shows between its sides."""
-    return area(image) > LEAST and area(image) > NARROW * max(abs(a - b) for a, b in combinations(image, 2)) / 2
+    return _area(image) > LEAST and _area(image) > NARROW * max(abs(a - b) for a, b in combinations(image, 2)) / 2
 
 
 def kinds_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:

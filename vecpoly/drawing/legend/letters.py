@@ -80,9 +80,8 @@ def _sample(names: Sequence[str]) -> TextBox:
 
 
 def is_of_curvature(figure: Figure) -> bool:
-    """Whether an inflection circle stands on it, with the inflection pole and the instant centre."""
-    labels = _labels(figure) if figure.view is View.MECHANISM else []
-    return all(any(re.fullmatch(one, label) for label in labels) for one in (r"W_\{\d\}", r"P_\{\d+\}"))
+    """Whether curvatures are constructed on it; of their points some may stand on the reduced figure beside it."""
+    return figure.view is View.MECHANISM and figure.title.zh.startswith("曲率作图")
 
 
 def _motion(figure: Figure) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from ...board.construction import Figure, View
 from ...board.paper.marks import Arc, Curve, Disc, Dot, Mark, Outline, Plate, Point, Role, Segment, Vector
@@ -60,7 +60,13 @@ def imagined(figure: Figure, mark: Mark) -> bool:
     if not _fine(mark) or in_centre_polygon(figure) or of_rotor(figure):
         return False
     taken = in_axial_view(figure, mark) or to_counterweight(figure, mark)
-    return not taken and not any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+    return not taken and not _of_linkages(figure)
+
+
+def _of_linkages(figure: Figure) -> bool:
+    """Whether it is the sheet on which a linkage is found, or has one in several positions."""
+    several = any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+    return several or figure.title.zh.startswith("机构的综合")
 
 
 def in_axial_view(figure: Figure, mark: Mark) -> bool:
@@ -83,7 +89,7 @@ def designed(role: Role, *, given: bool) -> Met:
         and figure.view is View.MECHANISM
         and not figure.name
         and (mark.step <= 1 or not _between_pins(figure, mark)) is given
-        and any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
+        and _of_linkages(figure)
     )
 
 
@@ -237,11 +243,6 @@ def of_rotor(figure: Figure) -> bool:
 def along_shaft(figure: Figure) -> bool:
     """Whether it shows where the masses of a rotor stand along its shaft."""
     return figure.view is View.MECHANISM and any(mark.owner == "shaft" for mark in figure.marks)
-
-
-def area(points: Sequence[complex]) -> float:
-    """Of a polygon, mm²."""
-    return abs(sum((a.conjugate() * b).imag for a, b in zip(points, (*points[1:], *points[:1]), strict=True))) / 2
 
 
 def has_lobes(figure: Figure) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Place
-from ...board.paper.marks import Dot, Role
+from ...board.paper.marks import Dot, Point, Role
 from ...errors import DeadPointError, NotAskedError
 from ...mechanism.asked.centres import centre
 from ...mechanism.asked.curvature import inflection_pole
@@ -149,7 +149,8 @@ class CurvatureFigure:
         return found / ratio
 
     def centre(self, letter: str, symbol: str, at: Points) -> Points:
-        """The centre of curvature of the path of a point is found."""
+        """The centre of curvature of the path of a point is found; the point has its letter beside it."""
+        self.name_once(letter)
         self.centres[letter] = self.letter(symbol, at)
         self.homes[letter] = self.homes[symbol]
         return self.centres[letter]
@@ -179,6 +180,12 @@ class CurvatureFigure:
         """A letter beside a point, `by` mm on paper from it."""
         pane, ratio = self.sheet(at)
         self.board.plot(pane, at * ratio + by, symbol, Dot.NONE, key=key)
+
+    def name_once(self, letter: str) -> None:
+        """The letter of a point of the mechanism, unless it stands there already."""
+        there = {mark.label for mark in self.board.marks(self.pane) if isinstance(mark, Point)}
+        if self.shown(letter) not in there:
+            self.board.plot(self.pane, self.at(letter), self.shown(letter), Dot.NONE)
 
     def ring(self, over: tuple[Points, Points], role: Role) -> None:
         """The circle over a diameter."""

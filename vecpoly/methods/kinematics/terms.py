@@ -110,12 +110,9 @@ def coriolis(desk: Desk, to: At, ref: At, link: str) -> Term:
     board, turn = desk.board, desk.turns[omega(link)]
     rel = Rel(Kind.AK, desk.canonical(to), desk.canonical(ref))
     sign = desk.symbol(rel)
-    relative = Rel(Kind.V, rel.to, rel.ref)
-    stood = desk.stands(relative)
+    stood = desk.stands(Rel(Kind.V, rel.to, rel.ref))
     assert stood is not None
-    v_rel = stood.ends
-    on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
-    vr = board.compute(desk.symbol(relative), board.mu(View.VELOCITY) * on_paper, "m/s")
+    v_rel, vr = stood.ends, _relative_speed(desk, to, ref)
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
     size = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
@@ -130,6 +127,17 @@ def coriolis(desk: Desk, to: At, ref: At, link: str) -> Term:
         mm=board.to_paper(View.ACCELERATION, size.value),
         tip="" if vanishes else desk.k_tip(rel),
     )
+
+
+def _relative_speed(desk: Desk, to: At, ref: At) -> Quantity:
+    """v_r of two coincident points: as a drive gives it, else read on the polygon."""
+    relative, board = Rel(Kind.V, desk.canonical(to), desk.canonical(ref)), desk.board
+    if (given := desk.size(relative)) is not None:
+        return given
+    stood = desk.stands(relative)
+    assert stood is not None
+    letters = f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}"
+    return board.compute(desk.symbol(relative), board.mu(View.VELOCITY) * board.measure(*stood.ends, letters), "m/s")
 
 
 def plain_symbol(quantity: Quantity) -> str:

@@ -26,12 +26,15 @@ def marked(
     key: str = "",
     place: Place = SHEET,
     nth: int = 0,
+    turn: Reals | None = None,
 ) -> None:
-    """The arc at a point from the ray through the first of two others to that through the second, on the nearer side.
+    """The arc at a point from the ray through the first of two others to that through the second: as the angle turns
+    (rad), else on the nearer side.
 
     nth: of several angles at one point this one has so many before it.
     """
-    start, sweep = rays[0] - at, np.angle((rays[1] - at) / (rays[0] - at))
+    start, nearer = rays[0] - at, np.angle((rays[1] - at) / (rays[0] - at))
+    sweep = nearer if turn is None else turn
     turned, short = abs(float(nominal(sweep))), min(float(nominal(np.abs(ray - at))) for ray in rays)
     if not np.isfinite(short) or np.degrees(turned) < FLAT:
         return

@@ -66,6 +66,7 @@ _EXPONENT = pattern(r"(?<![\w.])(\d+\.?\d*|\.\d+)[eE]([+-]?\d+)(?!\w)")
 _PLAIN = (-4, 7)  # powers of ten of the first figure of what is written without an exponent
 _LONG = pattern(r"\d+\.\d{4,}")  # more digits than a person writes
 _MINUS = pattern(r"(?<![\w$}])-(?=\$?\d)")
+_OF_ZERO = pattern(r"(?<![\w$}])-(?=0+(?:\.0*)?(?![\d.]))")  # a minus that says nothing
 _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
     "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from", " 自"), (" at ", "，方向角 ")),
     "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),
@@ -104,7 +105,7 @@ def as_printed(text: str, lang: Lang) -> str:
         text = found.sub(made, text)
     text = _EXPONENT.sub(_by_powers_of_ten, text)
     text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)
-    return _MINUS.sub("−", text)
+    return _MINUS.sub("−", _OF_ZERO.sub("", text))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....board.paper.marks import Dot, Point, Role
+from ....board.paper.marks import Role
 from ....mechanism.model import Rolling
 from ....plane import Line, unit
 from ....words import Words
@@ -64,11 +64,9 @@ def _rolling_pole(fig: CurvatureFigure, joint: Rolling) -> None:
 
 
 def _name_ends(fig: CurvatureFigure, ray: Ray) -> None:
-    """The letters of its points, unless they stand there already."""
-    there = {mark.label for mark in fig.board.marks(fig.pane) if isinstance(mark, Point)}
+    """The letters of its points."""
     for letter in filter(None, (ray.moving, ray.fixed)):
-        if fig.shown(letter) not in there:
-            fig.board.plot(fig.pane, fig.at(letter), fig.shown(letter), Dot.NONE)
+        fig.name_once(letter)
 
 
 def _told(fig: CurvatureFigure, ray: Ray) -> Words:

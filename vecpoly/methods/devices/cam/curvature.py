@@ -27,7 +27,7 @@ from .trying import interferes
 from .words.motion import corners
 
 HALF = 0.5  # the share at which velocities are drawn
-ALMOST = 1.0  # mm: v_P shorter than this is not lettered
+SPECK = 0.15  # mm: a shorter u′ is not seen
 
 
 def least_radius(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
@@ -80,8 +80,8 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
     show(bench, place, cam, it)
     centre, tip, moved = centre_of_curvature(board, it, HALF)
     board.arrow(place, it.b, tip, Role.GIVEN, label="v_B")
-    long = float(nominal(np.abs(moved - it.pole))) > ALMOST
-    board.arrow(place, it.pole, moved, Role.GIVEN, label="u′" if long else "")
+    if float(nominal(np.abs(moved - it.pole))) > SPECK:
+        board.arrow(place, it.pole, moved, Role.GIVEN, label="u′")
     board.join(place, tip, centre, Role.CONSTRUCTION)
     board.join(place, moved, centre, Role.CONSTRUCTION)
     board.join(place, it.pole, centre, Role.DIRECTION)

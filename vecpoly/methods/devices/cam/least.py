@@ -21,7 +21,7 @@ from .extremes import Merit, best
 from .laws import Lift, lift
 from .nearest import BELOW, MARK, nearest, tell_start, third_bound
 from .read.readings import length
-from .scales import DISPLACEMENT, LOOP
+from .scales import DISPLACEMENT, LOOP, steepest
 
 EACH = 6  # stations of half a rise or a return that are drawn of the loop
 BEYOND = 10.0  # mm: the axes past the loop
@@ -76,10 +76,7 @@ def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
 def _axes(board: Board, cam: Cam) -> None:
     """ds/dφ to both sides, the return's being negative, and s upwards."""
     scale = board.scale_of(LOOP).value
-    right, left = (
-        max((piece.lift / piece.angle for piece in cam.pieces if piece.rises == way), default=0.0) * 2 / scale + BEYOND
-        for way in (1, -1)
-    )
+    right, left = (steepest(cam, way) / scale + BEYOND for way in (1, -1))
     for start, end, label in ((-left, right + 0j, "ds/dφ"), (0j, 1j * (cam.lift / scale + BEYOND), "s")):
         board.arrow(LOOP, start, end, Role.DIRECTION)
         board.plot(LOOP, end, label, Dot.NONE)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import cos, degrees, hypot, radians, sqrt
+from math import cos, degrees, hypot, radians, sqrt, tan
 
 from ....board.construction import Scale, View
 from ....board.paper.scales import finer, round_up
@@ -14,6 +14,7 @@ from ....problem.problem import Scales
 DISPLACEMENT, ANGULAR, LOOP = (view_named(name) for name in ("displacement", "swing", "loop"))
 CAM, WIDE, HIGH = 142.0, 160.0, 42.0  # mm: across the cam; along the diagram, up to its highest point
 NARROW = 140.0  # mm: along the diagram of an arm, whose semicircle would make it wider than an upright sheet
+LOOP_ROOMS = (145.0, 205.0), (225.0, 120.0)  # mm: the loop and its bounds on a page, upright or across, without axes
 EQUAL = (19.0, 55.0)  # mm: a stroke of this size on the cam's own scale is drawn so
 
 
@@ -25,7 +26,7 @@ def cam_scales(cam: Cam, given: Scales) -> Mapping[View, Scale]:
     stroke = given.of(DISPLACEMENT.mu) or (
         length if EQUAL[0] <= cam.lift / length <= EQUAL[1] else fitting(cam.lift / HIGH)
     )
-    loop = given.of(LOOP.mu) or fitting(cam.lift / (2 * HIGH))
+    loop = given.of(LOOP.mu) or fitting(max(cam.lift / (2 * HIGH), _loop_in_its_room(cam)))
     swing = given.of(ANGULAR.mu) or radians(fitting(degrees(cam.lift) / HIGH))
     return {
         View.MECHANISM: Scale.of(View.MECHANISM, length),
@@ -33,6 +34,22 @@ def cam_scales(cam: Cam, given: Scales) -> Mapping[View, Scale]:
         ANGULAR: Scale.of(ANGULAR, swing, turned),
         LOOP: Scale.of(LOOP, loop),
     }
+
+
+def steepest(cam: Cam, way: int) -> float:
+    """A length (m) that ds/dφ of the rises (way = 1), or of the returns, does not exceed: twice their mean."""
+    return 2 * max((piece.lift / piece.angle for piece in cam.pieces if piece.rises == way), default=0.0)
+
+
+def _loop_in_its_room(cam: Cam) -> float:
+    """The finest scale (m/mm) at which the loop of s over ds/dφ, with the bounds below it, has room on a page."""
+    if cam.alpha is None:
+        return 0.0
+    sides = [steepest(cam, way) for way in (1, -1)]
+    leans = [tan(angle.si) for angle in (cam.alpha.rise, cam.alpha.back)]
+    below = max(sum(sides) / sum(leans), *(side / lean for side, lean in zip(sides, leans, strict=True)))
+    size = sum(sides), cam.lift + below
+    return min(max(part / room for part, room in zip(size, rooms, strict=True)) for rooms in LOOP_ROOMS)
 
 
 def fitting(least: float) -> float:

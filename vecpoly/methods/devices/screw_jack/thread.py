@@ -85,7 +85,7 @@ def _friction(bench: Bench, device: ScrewJack) -> Quantity:
 def _arctan(name: Node, of: Quantity) -> Row:
     """α = arctan 0.0512 = 2.93°: the tangent was found in the line before."""
     angle = Of("arctan", of)
-    return Row((name, Txt(" = "), keyed_in(angle), stated(Quantity(name, angle.value, "deg")).items[-1]))
+    return Row((name, Txt(" = "), keyed_in(angle), stated(Quantity(name, angle.value, "deg")).items[-1]), angle)
 
 
 def nut_polygon(bench: Bench, device: ScrewJack, jack: Thread) -> Quantity:

@@ -19,6 +19,7 @@ from ..state import Statics
 
 COUPLE = 8.0  # mm, radius of a couple's arrow
 SHORT = 2.0  # mm: shorter arms carry no letter
+PIECE = 8.0  # mm to both sides of a foot that is far from where the force acts
 
 
 def group_pane(st: Statics, *links: str) -> Pane:
@@ -42,17 +43,29 @@ def polygon_title(st: Statics, *links: str) -> Words:
 
 
 def draw_arm(st: Statics, pane: Place, about: Points, end: Points, line: Line, letter: str) -> None:
-    """The arm from the point to the line of action, which runs from its own point to the foot, with its letter."""
+    """The arm from the point to the line of action, with its letter; the line runs from its own point to the foot, of
+    a foot that is far from there no more than a piece about it."""
     board, at = st.board, line.at
-    if max(abs(nominal(end - about)), abs(nominal(end - at))) > REACH:
+    if (arm := float(abs(nominal(end - about)))) > REACH:
+        board.remark(_not_drawn(letter, arm))
         return
     board.join(pane, about, end, Role.CONSTRUCTION)
     away = abs(nominal(end - at))
-    if away > 1.0:
+    if away > REACH:
+        board.join(pane, end - PIECE * line.along, end + PIECE * line.along, Role.DIRECTION)
+    elif away > 1.0:
         board.join(pane, at, end, Role.DIRECTION)
     if abs(nominal(end - about)) > SHORT:
         board.right_angle(pane, end, unit(about - end), unit(at - end) if away > 1.0 else line.along)
         board.plot(pane, (about + end) / 2, letter, Dot.NONE)
+
+
+def _not_drawn(letter: str, arm: float) -> Words:
+    """What is measured on the diagram and has no room on a free body."""
+    return Words(
+        f"（力臂 ${letter}$ 在机构图上长 {arm:.0f} mm，受力图上不画。）",
+        f" (The arm ${letter}$ is {arm:.0f} mm long on the diagram and is not drawn on the free body.)",
+    )
 
 
 def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Acting]) -> None:

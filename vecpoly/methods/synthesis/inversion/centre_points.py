@@ -23,6 +23,18 @@ from .trial import centre_places
 
 SHORT, FLAT = 1e-6, 1e-9  # mm, sine: no chord, no meeting
 
+_BY_TRIAL = Words(
+    "在给定直线上试取固定铰链 $M$，取平面 $S$ 的位置 1 为“机架”，将 $M$ 随 $S$ 反转，得 $M_2^′$、$M_3^′$、$M_4^′$。"
+    "过 $M$、$M_2^′$、$M_3^′$ 作圆，$M_4^′$ 到圆周的偏差随 $M$ 而变；偏差为零处即圆心点，圆心即圆点 $N_1$。",
+    "Try a fixed pin $M$ on the given line. Take the body $S$ in position 1 for the frame and turn $M$ back with it: "
+    "$M_2^′$, $M_3^′$, $M_4^′$. How far $M_4^′$ is off the circle through $M$, $M_2^′$, $M_3^′$ changes with $M$; "
+    "where it is on it, $M$ is a centre point, the centre of the circle its circle point $N_1$.",
+)
+_AGAIN = Words(
+    "在另一给定直线上同样试取固定铰链 $M$，求其上的圆心点和圆点。",
+    "Try the fixed pin $M$ on the other given line in the same way, for the centre points and circle points there.",
+)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bar:
@@ -35,8 +47,12 @@ class Bar:
 
 def centre_points(sheet: Sheet, stage: CentrePoints) -> Iterator[Sheet]:
     """All bars of both lines, then every pair of them."""
+    sheet.draft.board.section(Words("圆心点和圆点", "Centre points and circle points"))
+    sheet.draft.board.step(_BY_TRIAL, SHEET)
     first = _bars(sheet, stage, stage.lies[0], 0)
     same = stage.lies[0] == stage.lies[1]
+    if not same:
+        sheet.draft.board.step(_AGAIN, SHEET)
     second = first if same else _bars(sheet, stage, stage.lies[1], len(first))
     pairs = [(a, d) for a in first for d in second if (a.number < d.number if same else _apart(a, d))]
     if not pairs:
@@ -62,21 +78,6 @@ def _paired(sheet: Sheet, stage: CentrePoints, *bars: Bar) -> Sheet:
 
 
 def _bars(sheet: Sheet, stage: CentrePoints, on: On, before: int) -> list[Bar]:
-    board = sheet.draft.board
-    board.section(Words("圆心点和圆点", "Centre points and circle points"))
-    board.step(
-        Words(
-            "在给定直线上试取固定铰链 $M$，取平面 $S$ 的位置 1 为“机架”，将 $M$ 随 $S$ 反转，"
-            "得 $M_2^′$、$M_3^′$、$M_4^′$。"
-            "过 $M$、$M_2^′$、$M_3^′$ 作圆，$M_4^′$ 到圆周的偏差随 $M$ 而变；"
-            "偏差为零处即圆心点，圆心即圆点 $N_1$。",
-            "Try a fixed pin $M$ on the given line. Take the body $S$ in position 1 for the frame and turn $M$ "
-            "back with it: $M_2^′$, $M_3^′$, $M_4^′$. How far $M_4^′$ is off the circle through $M$, $M_2^′$, $M_3^′$ "
-            "changes with $M$; where it is on it, $M$ is a centre point, the centre of the circle its circle point "
-            "$N_1$.",
-        ),
-        SHEET,
-    )
     line = _line(sheet, on)
     found = centre_places(line, sheet.bodies[stage.on])
     return [_bar(sheet, stage, line, t, before + n) for n, t in enumerate(found, 1)]

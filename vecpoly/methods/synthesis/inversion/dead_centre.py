@@ -20,6 +20,7 @@ from ..registry import design_method
 from .judged import NONE
 
 Pair = tuple[Points, Points]
+AXIS = 0.8  # of CD: how far the line AD runs on beyond D, from which ψ counts
 
 
 @design_method(
@@ -60,7 +61,8 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     verdict = _judged((a, d), (b1, c1), (b2, c2), design.phi_12.si)
     drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
     crank_circle(draft, a, np.abs(b2 - a))
-    marked(draft, a, (b1, b2), valued("φ_{12}", np.degrees(design.phi_12.si)), key="phi_12")
+    told = valued("φ_{12}", np.degrees(design.phi_12.si))
+    marked(draft, a, (b1, b2), told, key="phi_12", turn=design.phi_12.si)
     rejected(draft, verdict)
     if verdict is Verdict.VALID:
         draft.length(draft.of_this(AB), board.measure(a, b2, "A B_2"), "A B_2")
@@ -106,11 +108,12 @@ def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Po
     draft.shared(CD, design.CD.si * 1e3)
     a = pivot(draft, "A", 0j)
     d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si)))
-    ends = []
+    ends, axis = [], d + draft.mm(design.CD.si) * AXIS
+    board.join(SHEET, d, axis, Role.CENTRE)
     for i, psi in ((1, design.psi_1), (2, design.psi_2)):
         ray = board.ray(d, 1 + 0j, board.given(psi.si, f"psi_{i}"))
         ends.append(pin(draft, f"C_{i}", board.lay_off(d, ray.along, draft.mm(design.CD.si))))
         board.join(SHEET, d, ends[-1], Role.CONSTRUCTION)
-        rays = d + distance(d, ends[-1]), ends[-1]
-        marked(draft, d, rays, valued(f"ψ_{i}", np.degrees(psi.si)), key=f"psi_{i}", nth=i - 1)
+        told = valued(f"ψ_{i}", np.degrees(psi.si))
+        marked(draft, d, (axis, ends[-1]), told, key=f"psi_{i}", nth=i - 1, turn=psi.si)
     return a, d, ends[0], ends[1]

@@ -88,7 +88,9 @@ def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Poin
         for i, ray in ((1, first), (2, second))
     )
     crank_circle(draft, a, np.abs(b1 - a))
-    marked(draft, a, (b1, b2), valued("β", beta.value))
+    for end in (b1, b2):
+        board.join(SHEET, a, end, Role.CONSTRUCTION)
+    marked(draft, a, (b1, b2), valued("β", beta.value), turn=np.radians(beta.value))
     return a, d, b1, b2
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, sin
+from math import sin
 
 from ....board.paper.marks import Dot, Role
 from ....designs.inversion.plan import FRAME, Body, Limits, Pin, Plan
@@ -11,12 +11,11 @@ from ....foundation.frozen import FrozenMap
 from ....names import ascii_key
 from ....plane import Points
 from ....words import Words
-from ..angles import FARTHER, LEAST, marked
+from ..angles import marked
 from ..draft import SHEET, Draft
 from ..linkage import pin, slider
 from .sheet import Places, Sheet, Stands, lettered, placed
 
-HALF_TURN = 180.0  # deg
 STRAIGHT = 1e-6  # sine of the angle between two lines that are one
 AXIS = 0.6  # of that: how far the axis is drawn from which its directions count
 HALF = 1.8  # mm: half the breadth of a body, which is seen under links that lie along it
@@ -176,10 +175,8 @@ def _directions_marked(sheet: Sheet, body: Body) -> None:
     draft.board.join(SHEET, start, start + reach, Role.CENTRE)
     for n, (stands, position) in enumerate(zip(sheet.bodies[body.name], body.positions, strict=True)):
         own = f"{symbol}{n + 1}" if body.name in symbol else f"{symbol}_{n + 1}"
-        if abs(degrees(position.angle)) <= HALF_TURN:
-            marked(draft, start, (start + reach, stands.end), own, key=ascii_key(own), nth=n)
-        else:
-            draft.board.angle(SHEET, start, 1 + 0j, position.angle, LEAST + n * FARTHER, own, key=ascii_key(own))
+        rays = start + reach, stands.end
+        marked(draft, start, rays, own, key=ascii_key(own), nth=n, turn=position.angle)
 
 
 def mark_of(plan: Plan, body: Body) -> str:
