@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 import pytest
 
-from tests.found import FOUND
+from tests.found import DEVICES, FOUND
 from tests.laws import few
 from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.errors import VecpolyError
@@ -52,7 +52,8 @@ class Drawn:
 @cache
 def given(name: str) -> Problem:
     """The problem of this id, read once: of the library, or one that was found outside it."""
-    return loads(FOUND[name]) if name in FOUND else load(name)
+    found = FOUND.get(name) or DEVICES.get(name)
+    return loads(found) if found else load(name)
 
 
 @cache

@@ -7,5 +7,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 _FILES = sorted((Path(__file__).parent / "data" / "found").glob("*/*.yaml"))
-FOUND: Mapping[str, str] = {file.stem: file.read_text(encoding="utf-8") for file in _FILES}
-FORCES = tuple(file.stem for file in _FILES if file.parent.name == "forces")  # about loads, and devices
+_ROOMS = {room: [file for file in _FILES if file.parent.name == room] for room in ("motion", "forces", "devices")}
+FOUND: Mapping[str, str] = {
+    file.stem: file.read_text(encoding="utf-8") for file in (*_ROOMS["forces"], *_ROOMS["motion"])
+}  # of mechanisms
+DEVICES: Mapping[str, str] = {file.stem: file.read_text(encoding="utf-8") for file in _ROOMS["devices"]}
+FORCES = tuple(file.stem for file in _ROOMS["forces"])

@@ -14,6 +14,7 @@ from ...plane import Points, nominal
 from ...vector.equation import KNOWN, Term
 from ...words import Words
 from ..desk import VECTOR, Desk, Turn
+from ..standing import sized
 
 ABSENT = Words.same("—")
 
@@ -114,8 +115,8 @@ def coriolis(desk: Desk, to: At, ref: At, link: str) -> Term:
     stood = desk.stands(relative)
     assert stood is not None
     v_rel = stood.ends
-    on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
-    vr = board.compute(desk.symbol(relative), board.mu(View.VELOCITY) * on_paper, "m/s")
+    letters = f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}"
+    vr = sized(desk, relative, desk.symbol(relative), v_rel, letters)
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
     size = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
