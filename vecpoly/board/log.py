@@ -107,10 +107,7 @@ class Log:
 
     def write(self, *formulas: Node, when: int | None = None) -> None:
         """Write formulas into the step, each once. when: how many acts were done when they were needed, if not all."""
-        last = self.steps[-1]
-        more = tuple(one for one in formulas if one not in last.formulas)
-        done = (len(self.acts) if when is None else when,) * len(more)
-        self.steps[-1] = replace(last, formulas=(*last.formulas, *more), written=(*last.written, *done))
+        self.steps[-1] = self.steps[-1].writing(formulas, len(self.acts) if when is None else when)
 
     def laid_off(self, key: str) -> int | None:
         """The number of the act of this step that laid off a quantity."""
