@@ -72,10 +72,11 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
     return abs(desk.offset(joint, link, point)) < 1e-12
 
 
-def normal(desk: Desk, at: At, about: At, link: str) -> Term:
-    """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
+def normal(desk: Desk, at: At, about: At, link: str, *, further: bool = False) -> Term:
+    """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a. further: the link may
+    have another one that was laid off before."""
     rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
-    return normal_of(desk, rel, about.point, link, desk.n_tip(link))
+    return normal_of(desk, rel, about.point, link, desk.further_n_tip(link) if further else desk.n_tip(link))
 
 
 def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
