@@ -306,3 +306,9 @@ def test_the_section_of_a_rim_goes_on_as_it_is_printed() -> None:
     lines = [plain(line) for step in of_library("rim-of-a-flywheel").construction.steps for line in step.formulas]
     (section,), (height,) = ([line for line in lines if line.startswith(f"{one} = ")] for one in "Sh")
     assert f"({section.rsplit(' = ', 1)[1].removesuffix(' m^2')})/(1.4)" in height
+
+
+def test_a_constant_moment_below_zero_is_told_to_drive() -> None:
+    told = [step.words for step in of_library("constant-moment-below-zero").construction.steps]
+    assert any("$M_r$ is negative: it drives" in words.en and "$M_r$ 为负" in words.zh for words in told)
+    assert not any("is negative: it" in step.words.en for step in of_library("rim-of-a-flywheel").construction.steps)
