@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
+from math import degrees
 
 from ...errors import FaultError
 from ...units.reading import Dim, read
@@ -14,6 +15,14 @@ from .draft import ANGLE_FROM, ONE, Draft, Line, ray
 from .places import aside
 
 _ON_LINE = 1e-9  # of a distance: how far beside a line a point of it may lie
+_STRAIGHT, _SQUARE = 180.0, 90.0  # deg
+_EVEN = 1e-9  # deg
+_CALLED = {
+    "slot": Words("导槽中线", "the slot's line"),
+    "rod": Words("杆的中线", "the rod's line"),
+    "rack": Words("齿条节线", "the rack's pitch line"),
+    "face": Words("平底", "the face"),
+}
 
 
 def read_line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
@@ -89,3 +98,42 @@ def _ahead(draft: Draft, letter: str, turn: complex) -> str:
     start = draft.points[letter]
     ways = {other: (spot - start) / turn for other, spot in draft.points.items() if other != letter}
     return next((other for other, way in ways.items() if way.real > 0 and abs(way.imag) < _ON_LINE * way.real), "")
+
+
+def note_slant(draft: Draft, key: str, data: Mapping[str, Value]) -> None:
+    """How the line of a slot, rod, rack or face lies on its link: at an angle, or beside its letter. What lies along a
+    line of the link, and a face or a rack square to it, is as it is shown; how far off a face is, is told with it."""
+    letter, turned = f"${data['through']}$", _angle(str(data.get("angle", "")), key in ("rack", "face"))
+    beside = None if key == "face" else _beside(letter, data)
+    own = Words(f"构件 {draft.name} 的{_CALLED[key].zh}", f"{_CALLED[key].en} of link {draft.name} ")
+    if beside is not None and turned is not None:
+        draft.say(own + turned + Words("，", ", and ") + beside)
+    elif turned is not None:
+        draft.say(own + Words(f"过 {letter}，", f"passes through {letter} and ") + turned)
+    elif beside is not None:
+        way = "" if "angle" in data else f"（自 {letter} 向滑块看）"
+        draft.say(own + beside + Words(way, f", seen from {letter} towards the block" if way else ""))
+
+
+def _angle(text: str, is_flank: bool) -> Words | None:
+    """60 deg from CD, in words; None of what is seen on the figure."""
+    found = ANGLE_FROM.fullmatch(text)
+    if found is None:
+        return None
+    turn = degrees(read(found[1], Dim.ANGLE).si)
+    if min(turn % (step := _SQUARE if is_flank else _STRAIGHT), -turn % step) < _EVEN:
+        return None
+    ray = Words("其导路", "its guide") if found[2] == "line" else Words(f" ${found[2]}$ ", f"${found[2]}$")
+    zh, en = ("逆时针", "counter-clockwise") if turn > 0 else ("顺时针", "clockwise")
+    return Words(
+        f"与{ray.zh}成 {abs(turn):.6g}°（由后者{zh}量）", f"is at {abs(turn):.6g}° to {ray.en}, {en} from the latter"
+    )
+
+
+def _beside(letter: str, data: Mapping[str, Value]) -> Words | None:
+    """How far it passes from its letter, and on which side; None where it passes through it."""
+    side = next((key for key in ("left", "right") if key in data), "")
+    if not side or not aside(data):
+        return None
+    zh = "左" if side == "left" else "右"
+    return Words(f"在 {letter} {zh}侧 {data[side]}", f"passes {data[side]} to the {side} of {letter}")

@@ -14,7 +14,7 @@ from ..schema.faults import meant
 from ..text.source import Value
 from .circles import give_circle
 from .draft import ONE, TWO, Draft, Line, letters_of
-from .lines import note_face, read_line
+from .lines import note_face, note_slant, read_line
 from .places import place
 from .profiles import give_profile
 from .starts import read_start
@@ -79,6 +79,9 @@ def _set_out(draft: Draft, data: Mapping[str, Value]) -> None:
         waiting = {key: act for key, act in waiting.items() if key not in done}
     if draft.face is not None and isinstance(face := data["face"], dict):
         note_face(draft, draft.face, face)
+    for key in ("slot", "rod", "rack", "face"):
+        if isinstance(line := data.get(key), dict):
+            note_slant(draft, key, line)
 
 
 def _succeeds(act: Callable[[], None]) -> bool:
