@@ -122,6 +122,10 @@ class Device(BaseModel):
         """All that may be asked of it, in the order in which a solution gives it."""
         raise NotImplementedError
 
+    def usual(self) -> tuple[Named, ...]:
+        """What is asked of it where nothing is named."""
+        return self.quantities()
+
     def given(self) -> tuple[tuple[str, str], ...]:
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
@@ -132,6 +136,10 @@ class Device(BaseModel):
 
     def told(self) -> tuple[Words, ...]:
         """What is given in words, where symbols and values do not say it."""
+        return ()
+
+    def described(self) -> tuple[Words, ...]:
+        """What a statement says that goes with it, told among the data where there is no statement."""
         return ()
 
     def noted(self, asked: Collection[str]) -> tuple[Words, ...]:

@@ -115,6 +115,12 @@ class Mass:
     inertia: float
     centre: str
     rod: Rod | None = None  # the round bar from which they were computed, if they were
+    shared: bool = False  # whether another link has its centre of mass at the same letter
+
+    @property
+    def inertia_symbol(self) -> str:
+        """J_S2, J_A; of two links about one point J_B1 and J_B2."""
+        return f"J_{{{self.centre}{self.link if self.shared else ''}}}"
 
 
 def slide_name(one: str, other: str) -> str:

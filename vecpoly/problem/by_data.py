@@ -115,7 +115,9 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
         scales=scales,
         printed=printed,
         errata=tuple(spec.errata),
-        given=Given(loads=(*(Datum(words=words) for words in subject.told()), *_told_of(subject))),
+        given=Given(
+            loads=(*(Datum(words=words) for words in (*_described(spec, subject), *subject.told())), *_told_of(subject))
+        ),
         paper=paper_of(spec.sheet.format, spec.sheet.orientation) if spec.sheet else ANY_A4,
         path=path,
         text=tree.text,
@@ -125,6 +127,11 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
         warnings=(*warnings_of(tree), *subject.noted(spec.find)),
         written=written_of(tree),
     )
+
+
+def _described(spec: DataSpec, subject: Subject) -> tuple[Words, ...]:
+    """What a statement would say, where there is none."""
+    return subject.described() if isinstance(subject, devices.Device) and spec.statement == Words.same("") else ()
 
 
 def _told_of(subject: Subject) -> Iterator[Datum]:
@@ -192,7 +199,8 @@ def _wanted(
 
 def _sought(subject: Subject) -> list[str]:
     """What is asked where nothing is said: all that the data do not tell."""
-    given, every = {symbol for symbol, _ in subject.given()}, subject.quantities()
+    given = {symbol for symbol, _ in subject.given()}
+    every = subject.usual() if isinstance(subject, devices.Device) else subject.quantities()
     sought = [one.key for one in every if not given & {one.symbol, one.key, f"l_{{{one.key}}}"}]
     return sought or [one.key for one in every]
 

@@ -108,7 +108,7 @@ def _inertia(frame: Frame, mass: Mass) -> tuple[Equation, ...]:
         if isinstance(left, Var)
     )
     if mass.inertia and turns.symbol in frame.symbols:
-        found += (Equation(Var(f"M_{{I{link}}}"), -(Const(f"J_{{{mass.centre}}}", mass.inertia, "kg·m²") * turns)),)
+        found += (Equation(Var(f"M_{{I{link}}}"), -(Const(mass.inertia_symbol, mass.inertia, "kg·m²") * turns)),)
     return found
 
 

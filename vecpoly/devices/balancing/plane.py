@@ -67,6 +67,14 @@ class RotorPlane(Entry):
     only: Literal["add", "remove"] | None = None
     step: MassSize | None = None
 
+    def drilled(self, name: str) -> Words:
+        """Where the two holes of this plane are."""
+        apart = "" if self.spread is None else self.spread.text
+        return Words(
+            f"平面 {name} 内在所需方位两侧各 {apart} 处钻两个相同的孔",
+            f"in plane {name} two equal holes are drilled, {apart} to either side of the direction needed",
+        )
+
     @property
     def at(self) -> float:
         """Along the axis (m)."""

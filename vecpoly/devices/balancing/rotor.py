@@ -195,6 +195,10 @@ class Rotor(Device):
             return sought_quantities(self.masses, self.weighing)
         return tuple(of_rotor(self.masses, self.planes, self.weighing, graded=self.tolerance is not None))
 
+    def described(self) -> tuple[Words, ...]:
+        """That two holes are drilled in place of one, and how far apart."""
+        return tuple(plane.drilled(name) for name, plane in self.correct.items() if plane.spread is not None)
+
     def given(self) -> tuple[tuple[str, str], ...]:
         """The masses, the planes, the grade, as written."""
         rows: list[tuple[str, Written | None]] = []

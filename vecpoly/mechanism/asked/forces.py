@@ -142,7 +142,7 @@ def inertia_named(mass: Mass) -> tuple[Named, Named, Named]:
 def mass_named(mass: Mass) -> tuple[Named, Named]:
     """Mass and moment of inertia of a link."""
     link = mass.link
-    return Named(f"m_{link}", f"m_{{{link}}}", "kg"), Named(f"J_{link}", f"J_{{{mass.centre}}}", "kg·m^2")
+    return Named(f"m_{link}", f"m_{{{link}}}", "kg"), Named(f"J_{link}", mass.inertia_symbol, "kg·m^2")
 
 
 def given_value(loads: Loads, key: str) -> float | None:

@@ -108,9 +108,7 @@ def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
     formula: Node | None = None
     couple = magnitude(named.symbol, 0.0, named.unit)
     if sense:
-        expr = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2") * magnitude(
-            f"α_{link}", np.abs(rate), "rad/s^2"
-        )
+        expr = magnitude(mass.inertia_symbol, mass.inertia, "kg·m^2") * magnitude(f"α_{link}", np.abs(rate), "rad/s^2")
         couple = board.compute(named.symbol, expr, named.unit)
         formula = worked(couple.node, expr, named.unit) if board.writes else None
         way = TURN[sense]

@@ -140,7 +140,7 @@ def _turning(st: Statics, mass: Mass, moved: Motion) -> _Found:
     turn = st.desk.turns[omega(mass.link)]
     if not mass.inertia or turn.never or abs(nominal(turn.value)) <= STILL * st.speed / st.mech.scale:
         return None, None
-    inertia = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2")
+    inertia = magnitude(mass.inertia_symbol, mass.inertia, "kg·m^2")
     if mass.link == moved.link and not moved.slides:
         return magnitude("1", 1.0, ""), Product((inertia,))
     rate = magnitude(f"ω_{mass.link}", np.abs(turn.value), "rad/s")

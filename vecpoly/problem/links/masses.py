@@ -25,15 +25,25 @@ Found = TypeVar("Found")
 
 def read_masses(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[tuple[Mass, ...], tuple[Datum, ...]]:
     """The masses, whose centres become lettered points S2 of their links, and their data for 已知."""
-    masses: list[Mass] = []
-    data: list[Datum] = []
+    found: list[tuple[Mass, tuple[Datum, ...]]] = []
     for link, one in spec.masses.items():
         with faults.at("masses", link):
-            mass, told = _mass(link, one, bodies)
-            masses.append(mass)
-            data.extend(told)
+            found.append(_mass(link, one, bodies))
+    found = _told_apart(found)
+    masses, data = [mass for mass, _ in found], [one for _, told in found for one in told]
     bars = [mass for mass in masses if mass.rod is not None]
     return tuple(masses), (*_of_one_steel(data), *([Datum(words=_bar_words(bars, bodies))] if bars else []))
+
+
+def _told_apart(found: list[tuple[Mass, tuple[Datum, ...]]]) -> list[tuple[Mass, tuple[Datum, ...]]]:
+    """Moments of inertia about one letter under symbols of their own."""
+    centres = [mass.centre for mass, _ in found if mass.inertia]
+    apart: list[tuple[Mass, tuple[Datum, ...]]] = []
+    for mass, told in found:
+        own = replace(mass, shared=centres.count(mass.centre) > 1)
+        symbols = {mass.inertia_symbol: own.inertia_symbol}
+        apart.append((own, tuple(replace(one, symbol=symbols.get(one.symbol, one.symbol)) for one in told)))
+    return apart
 
 
 def _of_one_steel(data: Sequence[Datum]) -> Iterator[Datum]:

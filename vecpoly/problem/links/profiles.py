@@ -96,8 +96,9 @@ def _base_circle(cam: Cam) -> float:
 def _told(draft: Draft, about: str, cam: Cam) -> Words:
     from ...devices.cams.told import shape_told
 
+    assert cam.r0 is not None
     turning = Words(
         f"构件 {draft.name} 为绕 ${about}$ 转动的盘形凸轮，$φ_{draft.name}$ = 0 时从动件在最低位置",
         f"link {draft.name} is a plate cam that turns about ${about}$; at $φ_{draft.name}$ = 0 the follower is lowest",
     )
-    return turning + Words("，", "; ") + shape_told(cam)
+    return turning + Words("，", "; ") + shape_told(cam.r0.text, cam.pieces, swings=cam.arm is not None)

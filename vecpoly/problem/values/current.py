@@ -103,7 +103,7 @@ def _acting(loads: Loads) -> dict[str, float]:
     """Symbol → size of the known loads, masses, moments of inertia."""
     sizes = {load.name: load.size for load in loads.all if load.size is not None}
     masses = {f"m_{mass.link}": mass.mass for mass in loads.masses}
-    return sizes | masses | {f"J_{{{mass.centre}}}": mass.inertia for mass in loads.masses}
+    return sizes | masses | {mass.inertia_symbol: mass.inertia for mass in loads.masses}
 
 
 def _circles(mech: Mechanism) -> list[Circle]:

@@ -101,7 +101,7 @@ def _given(loads: Loads, found: ForceModel) -> list[str]:
     given = [f"${one.symbol}$ = {number(one.size, 6)} {one.unit}" for one in found.loads]
     given += [
         f"$m_{{{mass.link}}}$ = {number(mass.mass, 4)} kg"
-        + (f"，$J_{{{mass.centre}}}$ = {number(mass.inertia, 4)} kg·m²" if mass.inertia else "")
+        + (f"，${mass.inertia_symbol}$ = {number(mass.inertia, 4)} kg·m²" if mass.inertia else "")
         for mass in loads.masses
     ]
     weights = [f"$G_{{{mass.link}}}$ = {number(GRAVITY * mass.mass, 4)} N" for mass in loads.masses if loads.weight]
