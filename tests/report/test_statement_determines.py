@@ -9,6 +9,7 @@ from typing import Any, get_args
 
 import pytest
 
+import vecpoly
 from tests.drawn_library import IDS, LIBRARY, drawn
 from tests.each import Later, each
 from tests.found import DEVICES, FOUND
@@ -166,3 +167,8 @@ def changed(value: Any, path: Path, span: tuple[int, int], number: str) -> Any:
     if isinstance(value, dict):
         return value | {first: changed(value[first], tuple(rest), span, number)}
     return [changed(one, tuple(rest), span, number) if n == first else one for n, one in enumerate(value)]
+
+
+def test_moments_of_inertia_about_one_letter_have_symbols_of_their_own() -> None:
+    told = _data(vecpoly.loads(FOUND["masses-at-one-pin"]))
+    assert {"$J_{B1}$ = 0.02 kg·m²", "$J_{B2}$ = 0.01 kg·m²", "$J_{S3}$ = 0.02 kg·m²"} <= {*told}
