@@ -11,4 +11,5 @@ _FOLDERS = tuple((file.stem, file.parent.name) for file in _FILES)
 EVERY: Mapping[str, str] = {file.stem: file.read_text(encoding="utf-8") for file in _FILES}
 APART = tuple(name for name, folder in _FOLDERS if folder in ("devices", "designs"))  # what analyses no mechanism
 FOUND: Mapping[str, str] = {name: text for name, text in EVERY.items() if name not in APART}
+DEVICES: Mapping[str, str] = {name: EVERY[name] for name, folder in _FOLDERS if folder == "devices"}
 FORCES = tuple(name for name, folder in _FOLDERS if folder == "forces")  # about loads

@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 
 import vecpoly
+from tests.found import DEVICES
 from vecpoly.answer import place_of
 from vecpoly.check.precision import settled
 from vecpoly.problem.load import loads
 from vecpoly.report.answers.line import answer_line
+from vecpoly.report.content import cautions
 from vecpoly.solution import solve
 
 TRAIN = """
@@ -52,3 +54,14 @@ def test_only_what_scatters_as_much_as_itself_is_taken_for_zero() -> None:
 def test_a_coordinate_that_is_the_rounding_of_the_other_is_zero() -> None:
     assert place_of(0.15 + 8.9e-18j) == [0.15, 0.0]
     assert place_of(1e-9 + 1e-12j) == [1e-9, 1e-12]
+
+
+def test_what_is_less_than_the_last_place_of_its_kind_is_zero_where_no_data_are_moved() -> None:
+    assert settled(-1.4e-17, 0.0, 0.96) == 0.0
+    assert settled(1e-12, 0.0, 0.96) == 1e-12
+
+
+def test_of_a_train_whose_gear_is_held_no_count_is_doubted() -> None:
+    solution = solve(loads(DEVICES["held-gear-of-a-train"]))
+    assert solution.answers["v_C"].exact == 0.0
+    assert cautions(solution, "en") == []

@@ -17,6 +17,7 @@ from tests.drawn_library import drawn as of_library
 from tests.flywheels import CASES, pairs, rimmed, two_stroke, wheel
 from tests.laws import often
 from vecpoly import slips
+from vecpoly.algebra.formula import plain
 from vecpoly.board.acts import Area, Way
 from vecpoly.board.otherwise.slip import Mistake
 from vecpoly.board.paper.marks import Segment, Vector
@@ -299,3 +300,15 @@ def test_the_axes_of_a_diagram_reach_a_little_beyond_its_curves(name: str) -> No
         ends = [end for mark in figure.marks if isinstance(mark, Segment) for end in (mark.a, mark.b)]
         assert across.imag == 0 and 5 < across.real - max(end.real for end in ends) < 15, figure.name
         assert up.real == 0 and 5 < up.imag - max(end.imag for end in ends) < 15, figure.name
+
+
+def test_the_section_of_a_rim_goes_on_as_it_is_printed() -> None:
+    lines = [plain(line) for step in of_library("rim-of-a-flywheel").construction.steps for line in step.formulas]
+    (section,), (height,) = ([line for line in lines if line.startswith(f"{one} = ")] for one in "Sh")
+    assert f"({section.rsplit(' = ', 1)[1].removesuffix(' m^2')})/(1.4)" in height
+
+
+def test_a_constant_moment_below_zero_is_told_to_drive() -> None:
+    told = [step.words for step in of_library("constant-moment-below-zero").construction.steps]
+    assert any("$M_r$ is negative: it drives" in words.en and "$M_r$ 为负" in words.zh for words in told)
+    assert not any("is negative: it" in step.words.en for step in of_library("rim-of-a-flywheel").construction.steps)

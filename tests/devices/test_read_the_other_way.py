@@ -36,7 +36,7 @@ def lines(device: str, data: dict[str, object], find: str, beginning: str) -> li
 @pytest.mark.parametrize(
     ("device", "data", "find", "beginning"),
     [
-        ("cam", CAM, "e", "e = −μ_s B_0D′ = −0.0002 × 22.39 = −0.00448 m = "),
+        ("cam", CAM, "e", "e = −μ_s B_0D′ = −0.0003 × 14.93 = −0.00448 m = "),
         ("rotor", ROTOR, "m_C", "C_C = −μ_Wl bp = −0.002 × "),
     ],
 )

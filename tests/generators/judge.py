@@ -20,6 +20,7 @@ from vecpoly.mechanism.model import Mechanism
 from vecpoly.oracle.forces import forces
 from vecpoly.oracle.synthesis.registry import linkages
 from vecpoly.problem.problem import Problem
+from vecpoly.problem.values.vary import parameters
 from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
@@ -111,7 +112,7 @@ def _judged(text: str, also: Check, fitted: bool) -> Verdict:
 
 def _told_twice(problem: Problem) -> str:
     """A symbol that is given with two values; and a problem just read has values that may be varied."""
-    assert problem.parameters is not None  # raises where what was read is not what its values say
+    parameters(problem)  # raises where what was read is not what its values say
     known: dict[str, str] = {}
     for one in problem.given.data:
         if one.symbol and known.setdefault(one.symbol, one.text) != one.text:

@@ -17,7 +17,7 @@ from .acting.laws import balanced_by_hand
 from .family import family
 
 Data = dict[str, Any]  # every scalar as its text
-_QUANTITY = re.compile(
+QUANTITY = re.compile(
     r"(?<![\w.])(-?\d+(?:\.\d+)?) "
     r"(mm|cm|m|deg|rad/s\^2|rad/s|r/min|m/s\^2|m/s|N\*m|N\*mm|N|kN|kg|kg\*m\^2|kW)(?![\w/*^])"
 )
@@ -70,7 +70,7 @@ def varied(rng: np.random.Generator, value: Any, share: float) -> Any:
         case list():
             return [varied(rng, inner, share) for inner in value]
         case str():
-            return _QUANTITY.sub(lambda m: f"{float(m[1]) * rng.uniform(1 - share, 1 + share):.6g} {m[2]}", value)
+            return QUANTITY.sub(lambda m: f"{float(m[1]) * rng.uniform(1 - share, 1 + share):.6g} {m[2]}", value)
         case _:
             return value
 

@@ -112,17 +112,22 @@ def plain(symbol: str) -> str:
     return re.sub(r"[${} ]", "", symbol).translate(LOWERED)
 
 
+def place(desk: Desk, letter: str) -> complex:
+    """Where a letter stands on the diagram: O2 is printed O₂."""
+    return complex(next(at for name, at in desk.at.items() if name.translate(LOWERED) == letter))
+
+
 def along(told: str, desk: Desk) -> tuple[complex, bool]:
     """The direction that a cell tells as a vector on paper, and whether it tells the sense too."""
     cell = plain(told)
     if found := re.fullmatch(rf"({POINT})→({POINT})", cell):
-        return complex(desk.at[found[2]] - desk.at[found[1]]), True
+        return place(desk, found[2]) - place(desk, found[1]), True
     if found := re.fullmatch(r"⊥(v_\w+)", cell):
         _, a, b = vectors(desk)[found[1]]
         return 1j * (b - a), False
     found = re.fullmatch(rf"([⊥∥])({POINT})({POINT})", cell)
     assert found is not None, told
-    line = complex(desk.at[found[3]] - desk.at[found[2]])
+    line = place(desk, found[3]) - place(desk, found[2])
     return (1j * line if found[1] == "⊥" else line), False
 
 
@@ -171,7 +176,7 @@ def sized(desk: Desk, told: str) -> float:
         return 2.0 * rate * abs(b - a) * desk.board.scale_of(view).value
     if found[8]:
         return rate * radius_of(desk, found[8])
-    return rate * abs(complex(desk.at[found[6]] - desk.at[found[7]])) * desk.board.scale_of(View.MECHANISM).value
+    return rate * abs(place(desk, found[6]) - place(desk, found[7])) * desk.board.scale_of(View.MECHANISM).value
 
 
 def radius_of(desk: Desk, link: str) -> float:

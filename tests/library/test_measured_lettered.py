@@ -17,11 +17,12 @@ from vecpoly.board.ruler import READABLE
 NEAR = 0.6  # mm: a letter so near to an end of what is measured stands there
 ANY = "k+1"  # of chords that are measured one by one and told by their sum, ΣQ_k Q_{k+1}: no segment has it
 PRIMES = str.maketrans({"″": "′′", "‴": "′′′", "'": "′", "$": None, "{": None, "}": None, "^": None, "_": None})
+LOW = str.maketrans({low: str(n) for n, low in enumerate("₀₁₂₃₄₅₆₇₈₉")})  # O₂ is O_2
 
 
 def letter(text: str) -> str:
     """A letter as one compares it: its primes behind, ``n_2^′`` as ``n^′_2``."""
-    bare = text.translate(PRIMES).replace(" ", "")
+    bare = text.translate(PRIMES).translate(LOW).replace(" ", "")
     return bare.replace("′", "") + "′" * bare.count("′")
 
 

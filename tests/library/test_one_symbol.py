@@ -37,3 +37,16 @@ def test_an_angle_that_is_read_has_a_symbol_of_its_own_in_each_solution(name: st
             if end.endswith("°"):
                 assert "{" not in symbol, f"{symbol} is no symbol"
                 assert found.setdefault(symbol, end) == end, f"{line}; before: {found[symbol]}"
+
+
+LAID_OFF = re.compile(r"\S+ = \((.+?)\)/\(μ_[va]\)")
+READ = re.compile(r"(.+?) = (?:.+ = )?μ_[va]\u2009")
+
+
+@each([*IDS, *FOUND])
+def test_a_vector_that_was_computed_or_given_and_then_laid_off_is_not_read_off_the_paper(name: str) -> None:
+    lines = [plain(line) for step in drawn(name).construction.steps for line in step.formulas]
+    laid = {found[1] for line in lines if (found := LAID_OFF.match(line))}
+    for line in lines:
+        read = READ.match(line)
+        assert read is None or read[1] not in laid, line

@@ -26,7 +26,8 @@ def test_what_turns_is_worked_out_as_the_size_that_stands_beside_its_sense(name:
 def test_a_step_whose_line_ends_below_zero_tells_which_sense_is_positive(name: str) -> None:
     for step in drawn(name).construction.steps:
         for line in filter(LESS.search, map(plain, step.formulas)):
-            assert "逆时针为正" in step.words.zh and "positive counter-clockwise" in step.words.en, line
+            turning = "逆时针为正" in step.words.zh and "positive counter-clockwise" in step.words.en
+            assert turning or ("为负" in step.words.zh and "is negative" in step.words.en), line
 
 
 @each(("winch-gears", "slider-crank-dynamic", "return-spring"))

@@ -48,8 +48,9 @@ def lengths_read(name: str) -> Iterator[tuple[str, tuple[Letter, Letter], float,
     """Of each length that a step takes off a polygon: v or a, its letters, how long (mm), and the line."""
     for line in (plain(node) for step in drawn(name).construction.steps for node in step.formulas):
         for scale, written, length in READ.findall(line):
-            one, two = re.findall(r"[a-z][^a-z]*", written.replace("\u2009", "").replace(" ", ""))
-            yield scale, (letter(one), letter(two)), float(length), line
+            ends = re.findall(r"[a-z][^a-z]*", written.replace("\u2009", "").replace(" ", ""))
+            if len(ends) == 2:  # two letters may stand at one end: ps_2,m
+                yield scale, (letter(ends[0]), letter(ends[1])), float(length), line
 
 
 def test_every_length_that_is_written_lies_between_its_letters() -> None:

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import re
 
 import pytest
 
 from tests.drawn_library import IDS, drawn, given
 from tests.each import Later, each
+from tests.found import DEVICES, FOUND
+from tests.generators.library import problems
 from tests.studies import solved
 from vecpoly.board.paper.marks import LinkNumber, Point
 from vecpoly.devices.structure import Structure
+from vecpoly.problem.asked.asks import AskNamed
+from vecpoly.problem.load import loads
 from vecpoly.report.content import statement
 from vecpoly.report.statement.asked import asked
 from vecpoly.report.statement.further import further
@@ -19,6 +24,7 @@ from vecpoly.report.values import is_worded
 from vecpoly.words import Lang
 
 STRUCTURES = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Structure)))
+BY_DATA = Later(lambda: [name for name, data in problems().items() if {"device", "synthesis"} & {*data}])
 LANGS: tuple[Lang, ...] = ("zh", "en")
 
 
@@ -90,3 +96,19 @@ def test_a_force_is_not_taken_for_a_mobility(name: str) -> None:
 )
 def test_quantities_of_devices_are_asked_by_what_they_are(name: str, told: str) -> None:
     assert told in asked(solved(name), "zh")
+
+
+@each([*IDS, *FOUND, *DEVICES])
+def test_nothing_is_called_twice_in_the_line_of_what_is_asked(name: str) -> None:
+    for lang in LANGS:
+        said = statement(drawn(name).solution, lang)["asked"]
+        assert not re.search(r"([\u4e00-\u9fff]{2,})\1|\b([a-z]+(?: [a-z]+)*) \2\b", said), said
+
+
+@each(BY_DATA)
+def test_where_nothing_is_asked_nothing_that_is_given_is_asked(name: str) -> None:
+    data = {key: value for key, value in problems()[name].items() if key != "find"}
+    problem = loads(json.dumps(data, ensure_ascii=False))
+    given_symbols = {datum.symbol for datum in problem.given.data}
+    asked_symbols = {ask.rel.symbol for ask in problem.asks if isinstance(ask, AskNamed)}
+    assert problem.asks and (not asked_symbols & given_symbols or asked_symbols <= given_symbols)

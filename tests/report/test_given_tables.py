@@ -9,10 +9,11 @@ import pytest
 
 from tests.drawn_library import DRAFTED, LIBRARY, drafted, given
 from tests.each import each
+from tests.found import DEVICES
 from tests.lawful import CARD, ENGINE, slider
 from tests.presses import press
 from tests.studies import studied
-from vecpoly.problem.load import load
+from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
 from vecpoly.problem.values.given import as_printed
 from vecpoly.report.content import beside_tables
@@ -140,3 +141,39 @@ def test_the_drive_of_a_machine_is_told_by_its_turns_a_minute_in_a_course_report
     told = known(studied("press-flywheel"), kept)
     assert "$n_1$ = 120 r/min（逆时针）" in told["given"]
     assert not any("ω" in cell for row in kept.made[-1].rows for cell in row)
+
+
+@pytest.mark.parametrize(
+    ("written", "zh"),
+    [
+        ("0°: 150, 22.5°: -3 N·m", "150（0°），−3（22.5°） N·m"),
+        ("0°: 1e+06, 180°: 2.5e-05 N·m", "1000000（0°），$2.5×10^{−5}$（180°） N·m"),
+        ("0.0000151676 km", "$1.51676×10^{−5}$ km"),
+    ],
+)
+def test_places_between_whole_degrees_and_numbers_with_exponents_are_read_as_one(written: str, zh: str) -> None:
+    assert as_printed(written, "zh") == zh
+
+
+MEASURED = """
+id: measured
+title: t
+device: run-up
+data:
+  motor: [[0 rad/s, 100 N*m], [40 rad/s, 130 N*m], [80 rad/s, 140 N*m], [110 rad/s, 135 N*m], [130 rad/s, 110 N*m],
+    [150 rad/s, 40 N*m], [157 rad/s, 0 N*m]]
+  load: 20 N*m
+  J: 2 kg*m^2
+"""
+
+
+@pytest.mark.parametrize(
+    ("symbol", "text", "places"), [("M_r", DEVICES["rim-of-a-flywheel"], 9), ("M_d", MEASURED, 7)], ids=["φ", "ω"]
+)
+def test_a_curve_of_many_places_is_given_by_a_table_that_has_them_all(symbol: str, text: str, places: int) -> None:
+    problem = loads(text)
+    (told,) = (datum for datum in problem.given.data if datum.symbol == symbol)
+    assert told.table is not None and len(told.table.rows) == places
+    assert "…" not in told.of("zh") and "数据表" in told.of("zh") and "by the table" in told.of("en")
+    table = given_tables(problem, "zh")[-1]
+    assert all(any(row[at] for row in table.rows) for at in range(0, len(table.header), 3))

@@ -136,7 +136,7 @@ def test_a_frame_shows_what_is_given_and_of_a_polygon_nothing_but_its_pole(name:
             assert all(mark.role is Role.CENTRE for mark in lines)
             assert not any(isinstance(mark, Point) and mark.dot is Dot.POLE for mark in inside)
         elif any(isinstance(mark, (Vector, Segment)) for mark in inside):
-            assert frame.view.across is not None or frame.view.name in ("indicator", "loop", "end-view")
+            assert frame.view.across is not None or frame.view.name in ("indicator", "loop", "end-view", "hodograph")
             assert curves or not any(getattr(mark, "role", None) is Role.RESULT for mark in inside)
         else:
             starts = (Dot.JOINT, Dot.POINT) if frame.view is View.BODY else (Dot.POLE,)

@@ -3,7 +3,7 @@ Everything that comes after drawing reads this, and only this."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from typing import Self
 
@@ -120,6 +120,11 @@ class Step:
     listing: Listing | None = None
     row: Listing | None = None
     written: tuple[int, ...] = ()
+
+    def writing(self, formulas: Sequence[Node], done: int) -> Step:
+        """The step with these formulas too, each once; done: how many acts had been done when they were needed."""
+        more = tuple(one for one in formulas if one not in self.formulas)
+        return replace(self, formulas=(*self.formulas, *more), written=(*self.written, *[done] * len(more)))
 
     def tabled(self, listing: Listing) -> Step:
         """The step with this table, or its row in one of like steps."""

@@ -106,10 +106,8 @@ class Log:
         self.steps[-1] = replace(self.steps[-1], equation=table)
 
     def write(self, *formulas: Node, when: int | None = None) -> None:
-        """Write formulas into the step. when: how many acts were done when they were needed, if not all."""
-        last = self.steps[-1]
-        done = (len(self.acts) if when is None else when,) * len(formulas)
-        self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas), written=(*last.written, *done))
+        """Write formulas into the step, each once. when: how many acts were done when they were needed, if not all."""
+        self.steps[-1] = self.steps[-1].writing(formulas, len(self.acts) if when is None else when)
 
     def laid_off(self, key: str) -> int | None:
         """The number of the act of this step that laid off a quantity."""

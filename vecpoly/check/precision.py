@@ -22,6 +22,7 @@ FEWEST = 3  # digits with which a value is still an answer
 PLENTY = 7  # digits of which nothing need be said
 WHOLE = 360.0  # deg
 ROUNDED = 4.0  # times the scatter: within it a value cannot be told from zero
+LAST = 2.0**-52  # of the size of such quantities: the last place of a number
 NOTHING = 1e-9  # of the size of such quantities: what may be taken for zero at all
 _PLACES, _PLACE = (PHI_MAX.key, PHI_MIN.key), 4  # decimals of a degree: places that are one
 
@@ -73,11 +74,12 @@ def settled(value: complex | float, noise: float, size: float) -> complex | floa
     """The value, and 0 in the place of what is no more than its own rounding: of a complex number each part alone.
 
     noise: what the data moved in their last places make of it, so that a small value that is true stays: it scatters
-    by far less than itself. size: of such quantities; nothing that is worth telling beside it is taken for zero.
+    by far less than itself. size: of such quantities; nothing that is worth telling beside it is taken for zero, and
+    what is less than the last place of it is none where no data were moved.
     """
     if isinstance(value, complex):
         return complex(settled(value.real, noise, size), settled(value.imag, noise, size))
-    return 0.0 if abs(value) <= min(ROUNDED * noise, NOTHING * size) else value
+    return 0.0 if abs(value) <= min(ROUNDED * (noise or LAST * size), NOTHING * size) else value
 
 
 def _scatter(key: str, value: complex | float, near: tuple[Values, ...], whole: float) -> float:

@@ -7,6 +7,7 @@ exact answers); nothing else is edited. Its `kind` is what a problem file writes
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, ClassVar, Protocol
 
@@ -98,6 +99,15 @@ def as_written(data: Iterable[tuple[str, Written | None]]) -> tuple[tuple[str, s
 _TYPED = str.maketrans({"*": "·"})
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tabled:
+    """A moment (N·m) that is given at so many places that they stand in a table: over φ in °, over ω in rad/s."""
+
+    over: str
+    unit: str
+    rows: tuple[tuple[str, str], ...]
+
+
 class Device(BaseModel):
     """Data of a device, frozen; its fields are quantities in SI together with how they were written."""
 
@@ -112,9 +122,17 @@ class Device(BaseModel):
         """All that may be asked of it, in the order in which a solution gives it."""
         raise NotImplementedError
 
+    def usual(self) -> tuple[Named, ...]:
+        """What is asked of it where nothing is named."""
+        return self.quantities()
+
     def given(self) -> tuple[tuple[str, str], ...]:
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
+
+    def tabled(self) -> Mapping[str, Tabled | None]:
+        """By their symbols what of this stands in a table; None of what stands in the line all the same."""
+        return {}
 
     def told(self) -> tuple[Words, ...]:
         """What is given in words, where symbols and values do not say it."""

@@ -127,7 +127,7 @@ class Mass:
 def told_apart(masses: Iterable[Mass]) -> tuple[Mass, ...]:
     """The masses, each of which knows whether another has its centre at the same letter."""
     found = tuple(masses)
-    at = Counter(mass.centre for mass in found)
+    at = Counter(mass.centre for mass in found if mass.inertia)
     return tuple(replace(mass, shared=at[mass.centre] > 1) for mass in found)
 
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import count
 
 from ..algebra.quantity import Quantity, magnitude
 from ..board.construction import View
 from ..board.ledger import Stood
+from ..board.otherwise.amended import plain_letters
 from ..mechanism.model import FRAME, Link, Mechanism, Prismatic
 from ..names import At, Kind, Rel, ascii_key, subscripted
 from ..plane import Points, Reals
@@ -109,6 +111,12 @@ class Desk(Diagram):
         taken = {name[0].lower() for name in self.at}
         letter = next((one for one in FEET if one not in taken), FEET[0])
         return f"{letter}_{link}^" + ("′" if primes == 1 else f"{{{'′' * primes}}}")
+
+    def further_n_tip(self, link: str) -> str:
+        """The letter of another normal acceleration of a link, of one that may have one already: n_2″."""
+        spots = self.board.ledger.spots
+        letters = (self.n_tip(link, primes) for primes in count(1))
+        return next(one for one in letters if (View.ACCELERATION, plain_letters(one)) not in spots)
 
     def symbol(self, rel: Rel) -> str:
         """The printed symbol of a vector: v_{C2B}, a^n_{CB}."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..algebra.formula import sym
 from ..algebra.quantity import Quantity
 from ..board.board import NO_LENGTH
 from ..board.construction import View
@@ -56,6 +57,15 @@ def computed(desk: Desk, rel: Rel) -> Quantity | None:
             if size is not None:
                 return size
     return _translated(desk, _own(desk, rel)) or _of_pair(desk, rel)
+
+
+def sized(desk: Desk, rel: Rel, symbol: str, ends: tuple[Points, Points], letters: str) -> Quantity:
+    """How large a vector is, of which a line goes on: as it was computed or given; else it is measured, and so told."""
+    known = computed(desk, rel)
+    if known is not None:
+        return replace(known, node=sym(symbol))
+    on_paper = desk.board.measure(*ends, letters)
+    return desk.board.compute(symbol, desk.board.mu(polygon_of(rel)) * on_paper, rel.kind.unit)
 
 
 def _of_pair(desk: Desk, rel: Rel) -> Quantity | None:

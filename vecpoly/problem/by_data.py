@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -27,6 +27,7 @@ from .schema.models import DataSpec, DesignSpec, DeviceSpec, ProblemSpec
 from .schema.validate import validate
 from .schema.warnings import warnings_of
 from .text.source import Tree
+from .values.given import GivenTable, by_table
 from .values.written import written_of
 
 _AT_PLACE = re.compile(r"([a-zA-Z]+)_(\d+(?:\.\d+)?)")
@@ -114,12 +115,7 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
         scales=scales,
         printed=printed,
         errata=tuple(spec.errata),
-        given=Given(
-            loads=(
-                *(Datum(words=words) for words in subject.told()),
-                *(Datum(symbol=symbol, text=text) for symbol, text in subject.given()),
-            )
-        ),
+        given=Given(loads=(*(Datum(words=words) for words in subject.told()), *_told_of(subject))),
         paper=paper_of(spec.sheet.format, spec.sheet.orientation) if spec.sheet else ANY_A4,
         path=path,
         text=tree.text,
@@ -129,6 +125,23 @@ def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
         warnings=(*warnings_of(tree), *subject.noted(spec.find)),
         written=written_of(tree),
     )
+
+
+def _told_of(subject: Subject) -> Iterator[Datum]:
+    """Each datum as it is written, or by a table."""
+    tabled = subject.tabled() if isinstance(subject, devices.Device) else {}
+    for symbol, text in subject.given():
+        if (table := tabled.get(symbol)) is None:
+            yield Datum(symbol=symbol, text=text)
+        else:
+            yield Datum(
+                symbol=symbol,
+                words=by_table(f"${symbol}$", f"${symbol}$", f"${table.over}$"),
+                table=GivenTable(
+                    head=(f"${table.over}$ /{table.unit}", f"${symbol}$ /(N·m)"),
+                    rows=tuple((at.replace("-", "−"), size.replace("-", "−")) for at, size in table.rows),
+                ),
+            )
 
 
 def _strange(tree: Tree, sort: Sort, faults: Faults) -> None:
@@ -166,7 +179,7 @@ def _wanted(
     asks, printed, scales = [], [], Scales()
     usual = {one.key: one for one in subject.quantities()}
     named = {one.key: one for one in subject.askable()} if isinstance(subject, designs.Design) else usual
-    for i, key in enumerate(spec.find or usual):
+    for i, key in enumerate(spec.find or _sought(subject)):
         with faults.at("find", i):
             asks.append(AskNamed(rel=_known(key, named, sort)))
     for i, entry in enumerate(spec.printed):
@@ -175,6 +188,14 @@ def _wanted(
     with faults.at("scales"):
         scales = read_scales(spec.scales)
     return tuple(asks), tuple(printed), scales
+
+
+def _sought(subject: Subject) -> list[str]:
+    """What is asked where nothing is said: all that the data do not tell."""
+    given = {symbol for symbol, _ in subject.given()}
+    every = subject.usual() if isinstance(subject, devices.Device) else subject.quantities()
+    sought = [one.key for one in every if not given & {one.symbol, one.key, f"l_{{{one.key}}}"}]
+    return sought or [one.key for one in every]
 
 
 def _known(key: str, named: dict[str, Named], sort: Sort) -> Named:

@@ -131,11 +131,7 @@ _RANKED = (F.key, P_REDUNDANT.key, F_LOW.key)
 def cautions(solution: Solution, lang: Lang) -> list[str]:
     """What is hardly meant; counts in which no hand can err,
     and which still are not what the oracle says, and why, as far as the oracle knows."""
-    keys = [ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskNamed)]
-    named = [solution.answers[key] for key in keys if key in solution.answers]
-    wrong = [
-        answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed
-    ]
+    wrong = _miscounted(solution)
     why = dependence(solution.problem.subject) if wrong else None
     few = fewer_digits(solution)
     return [
@@ -148,6 +144,17 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
             why,
         )
         if words is not None
+    ]
+
+
+def _miscounted(solution: Solution) -> list[Answer]:
+    """Of a structure what is counted, and by the rank of its constraint equations is another number."""
+    keys = [ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskNamed)]
+    named = [solution.answers[key] for key in keys if key in solution.answers]
+    return [
+        one
+        for one in (named if isinstance(solution.problem.subject, Structure) else [])
+        if one.reading.mm is None and not one.expected_error and not one.computed
     ]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from math import isfinite
+from math import ceil, isfinite
 
 from ..algebra.columns import padded
 from ..algebra.quantity import number
@@ -55,6 +55,7 @@ def listed(listing: Listing, lang: Lang) -> DataTable:
     """What a step reads at many places: in as many blocks beside each other as a page has room for."""
     blocks = max(1, min(listing.blocks, MOST_COLUMNS // len(listing.head)))
     blocks = blocks if len(listing.rows) > max(blocks, FEW) else 1
+    blocks = ceil(len(listing.rows) / max(1, ceil(len(listing.rows) / blocks))) or 1  # none of them stays empty
     wide = replace(listing, rows=padded(listing.rows)).abreast(blocks)
     heads, align = [head.of(lang) for head in wide.head], "d" * len(wide.head)
     gaps = range(len(heads) - len(listing.head), 0, -len(listing.head))  # a blank column between two blocks

@@ -176,17 +176,23 @@ class Cam(Device):
     def quantities(self) -> tuple[Named, ...]:
         """What is found of the whole cam, then at every station; or the least base circle."""
         if self.alpha is not None:
-            return (R0, E, S0, *APEX, CENTRAL)
+            return self.usual()
         here = [round(degrees(phi), 6) for phi, _ in self.places]
         moved = [travel(phi, swings=bool(self.arm)) for phi in here if phi]  # at the start it is nothing, as is θ
         points = (*(radius(phi) for phi in here), *(polar(phi) for phi in here if phi))
+        pressed = () if self.follower.flat else tuple(pressure(phi) for phi in here)
+        return (*self.usual(), *moved, *pressed, *points)
+
+    def usual(self) -> tuple[Named, ...]:
+        """What is found of the whole cam: nobody asks for a hundred numbers of its stations without naming them."""
+        if self.alpha is not None:
+            return (R0, E, S0, *APEX, CENTRAL)
         if self.follower.flat and self.arm:
-            return (PSI0, RHO, UNDERCUT_FLAT, NEAREST, FARTHEST, *moved, *points)
+            return (PSI0, RHO, UNDERCUT_FLAT, NEAREST, FARTHEST)
         if self.follower.flat:
-            return (RHO, UNDERCUT_FLAT, REACH_RISE, REACH_BACK, *moved, *points)
+            return (RHO, UNDERCUT_FLAT, REACH_RISE, REACH_BACK)
         first = (PSI0 if self.arm else S0, ALPHA, ALPHA_RISE, ALPHA_BACK, RHO)
-        whole = (*first, RHO_PROFILE, UNDERCUT) if self.follower.roller else first
-        return (*whole, *moved, *(pressure(phi) for phi in here), *points)
+        return (*first, RHO_PROFILE, UNDERCUT) if self.follower.roller else first
 
     def noted(self, asked: Collection[str]) -> tuple[Words, ...]:
         """That corners have no radius of curvature, where the least one is asked."""

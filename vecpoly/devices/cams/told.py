@@ -20,19 +20,30 @@ def shape_told(base_circle: str, pieces: Sequence[Piece], *, swings: bool) -> Wo
 
 
 def motion_told(follower: Follower, pieces: Sequence[Piece], *, clockwise: bool) -> Words:
-    """凸轮逆时针转动，滚子移动从动件在 120° 内按余弦加速度运动上升 30 mm，停歇 30°……"""
-    turning = Words("凸轮顺时针转动，", "the cam turns clockwise; ") if clockwise else _CCW
+    """凸轮逆时针匀速转动，滚子移动从动件（导路在 O 右侧）在 120° 内按余弦加速度运动上升 30 mm，停歇 30°……"""
+    zh, en = ("顺时针", "clockwise") if clockwise else ("逆时针", "counter-clockwise")
     end = _FLAT if follower.flat else _ROLLER if follower.roller else _KNIFE
     way = Words("摆动", "oscillating") if follower.arm else Words("移动", "translating")
-    told = [_within(piece, swings=bool(follower.arm)) for piece in pieces]
-    return turning + Words(
-        f"{end.zh}{way.zh}从动件{'，'.join(one.zh for one in told)}",
-        f"its {way.en} {end.en} follower {', '.join(one.en for one in told)}",
+    side, told = _side(follower), [_within(piece, swings=bool(follower.arm)) for piece in pieces]
+    return Words(
+        f"凸轮{zh}匀速转动，{end.zh}{way.zh}从动件{side.zh}{'，'.join(one.zh for one in told)}",
+        f"the cam turns uniformly {en}; its {way.en} {end.en} follower{side.en} {', '.join(one.en for one in told)}",
     )
 
 
-_CCW = Words("凸轮逆时针转动，", "the cam turns counter-clockwise; ")
 _KNIFE, _ROLLER, _FLAT = Words("尖顶", "knife-edge"), Words("滚子", "roller"), Words("平底", "flat-faced")
+_NO_SIDE = Words("", "")
+
+
+def _side(follower: Follower) -> Words:
+    """On which side of O it is guided, or pivoted."""
+    if follower.arm is not None:
+        zh, en = ("右", "right") if follower.arm.sign > 0 else ("左", "left")
+        return Words(f"（转轴 $A$ 在 $O$ {zh}侧）", f", pivoted at $A$ to the {en} of $O$,")
+    if not follower.e:
+        return _NO_SIDE
+    zh, en = ("右", "right") if follower.e > 0 else ("左", "left")
+    return Words(f"（导路在 $O$ {zh}侧）", f", guided to the {en} of $O$,")
 
 
 def _from_to(piece: Piece, *, swings: bool) -> Words:

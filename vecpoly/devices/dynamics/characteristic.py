@@ -18,7 +18,9 @@ from pydantic import BeforeValidator, WithJsonSchema
 from ...errors import FaultError
 from ...units.reading import Dim, positive, pure, read
 from ...words import Words
+from ..base import Tabled
 
+SHOWN = 6  # places that are told in a line; more of them stand in a table
 _TERMS = (Dim.MOMENT, Dim.DRAG, Dim.INERTIA)  # N·m, N·m·s, N·m·s² (as kg·m²)
 
 
@@ -47,6 +49,12 @@ class Measured:
     speeds: tuple[float, ...]
     sizes: tuple[float, ...]
     text: str
+
+    @property
+    def tabled(self) -> Tabled | None:
+        """Its places, where they are too many for a line."""
+        rows = tuple((f"{a:.5g}", f"{b:.5g}") for a, b in zip(self.speeds, self.sizes, strict=True))
+        return Tabled(over="ω", unit="(rad/s)", rows=rows) if len(rows) > SHOWN else None
 
 
 Characteristic = Polynomial | Kloss | Measured
@@ -128,7 +136,7 @@ def _measured(rows: Sequence[Sequence[Any]]) -> Measured:
             code="out-of-range",
         )
     speeds, sizes = zip(*pairs, strict=True)
-    text = ", ".join(f"{a:.5g} rad/s: {b:.5g} N·m" for a, b in pairs[:6]) + (", …" if len(pairs) > 6 else "")
+    text = ", ".join(f"{a:.5g} rad/s: {b:.5g} N·m" for a, b in pairs)
     return Measured(speeds=speeds, sizes=sizes, text=text)
 
 

@@ -20,9 +20,10 @@ from ...errors import FaultError
 from ...units.names import plain, unit_of
 from ...units.reading import Dim, pure, read
 from ...words import Words
+from ..base import Tabled
 
 MOST = 1000  # places of a curve
-SHOWN = 24  # places that are told among the givens
+SHOWN = 8  # places that are told in a line; more of them stand in a table
 SAME = 1e-9  # rad
 _HEAD = re.compile(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
 
@@ -50,6 +51,11 @@ class Curve:
         if self.constant:
             return (0.0, self.sizes[0]), (period, self.sizes[0])
         return tuple(zip(self.places, self.sizes, strict=True))
+
+    @property
+    def tabled(self) -> Tabled | None:
+        """Its places, where they are too many for a line."""
+        return Tabled(over="φ", unit="°", rows=_cells(self.over(self.end))) if len(self.places) > SHOWN else None
 
     @property
     def span(self) -> tuple[float, float]:
@@ -171,8 +177,12 @@ def _unreadable() -> FaultError:
 
 
 def _told(rows: Sequence[tuple[float, float]]) -> str:
-    pairs = [f"{degrees(phi):.6g}°: {moment:.6g}" for phi, moment in rows[:SHOWN]]
-    return ", ".join(pairs) + (",… N·m" if len(rows) > SHOWN else " N·m")  # with a blank before it would be a range
+    return ", ".join(f"{phi}°: {moment}" for phi, moment in _cells(rows)) + " N·m"
+
+
+def _cells(rows: Sequence[tuple[float, float]]) -> tuple[tuple[str, str], ...]:
+    """Angles in deg and moments, as they are told."""
+    return tuple((f"{degrees(phi):.6g}", f"{moment:.6g}") for phi, moment in rows)
 
 
 Moments = Annotated[Curve, BeforeValidator(read_curve), WithJsonSchema({"type": ["string", "array", "object"]})]

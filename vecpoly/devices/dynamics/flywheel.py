@@ -7,7 +7,7 @@ data: {powers: [[120 deg, 368 W], [240 deg, 3677 W]], n: 100 r/min, delta: 0.05}
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from math import degrees
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -17,7 +17,7 @@ from ...errors import FaultError
 from ...names import Named
 from ...units.reading import Dim, not_negative, positive, pure, read
 from ...words import Words
-from ..base import Angle, Device, Inertia, Omega, Positive, WorkScale, as_written
+from ..base import Angle, Device, Inertia, Omega, Positive, Tabled, WorkScale, as_written
 from . import asked
 from .asked import letter, level, place, work
 from .curve import Moments
@@ -210,6 +210,10 @@ class Flywheel(Device):
             found += [asked.RIM_MASS, asked.RIM_H, asked.RIM_B, asked.RIM_SPEED, asked.RIM_J]
             found += [asked.RIM_SAFE] * (self.rim.v_max is not None)
         return tuple(found)
+
+    def tabled(self) -> Mapping[str, Tabled | None]:
+        """Moments of many places."""
+        return {symbol: one.tabled for symbol, one in (("M_d", self.M_d), ("M_r", self.M_r)) if one is not None}
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The load, then speed, unevenness and inertia."""

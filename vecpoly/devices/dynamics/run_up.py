@@ -7,6 +7,7 @@ data: {load: [4 N*m, 0.05 N*m*s], brake: 65 N*m, J: 3.6 kg*m^2, start: 600 r/min
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, WithJsonSchema, model_validator
@@ -15,8 +16,8 @@ from ...errors import FaultError
 from ...names import Named
 from ...units.reading import Dim, Quantity, positive
 from ...words import Words
-from ..base import Device, Duration, Inertia, Omega, Torque, as_written
-from .characteristic import Load, Motor, Polynomial, at_rest
+from ..base import Device, Duration, Inertia, Omega, Tabled, Torque, as_written
+from .characteristic import Load, Measured, Motor, Polynomial, at_rest
 
 STEADY, CONSTANT, START = Named("omega_s", "ω_s", "rad/s"), Named("T", "T", "s"), Named("M_d0", "M_{d0}", "N·m")
 TIME, TURNS = Named("t", "t", "s"), Named("N", "N", "r")
@@ -160,6 +161,11 @@ class RunUp(Device):
         if not isinstance(self.to, Quantity):
             found += [STEADY, CONSTANT] if self.linear else [STEADY]
         return (*found, TIME, TURNS, THEN) if self.at is not None else (*found, TIME, TURNS)
+
+    def tabled(self) -> Mapping[str, Tabled | None]:
+        """Characteristics of many places."""
+        curves = (("M_d", self.motor), ("M_r", self.load), ("M_b", self.brake))
+        return {symbol: one.tabled for symbol, one in curves if isinstance(one, Measured)}
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The characteristics, J, and from where to where."""

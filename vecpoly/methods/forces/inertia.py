@@ -14,11 +14,12 @@ from ...board.paper.marks import Dot, Role
 from ...foundation.slotted import replace
 from ...mechanism.asked.forces import inertia_named
 from ...mechanism.loads import Mass
-from ...names import At, Named, alpha, ascii_key
+from ...names import At, Kind, Named, Rel, alpha, ascii_key
 from ...plane import Points, Reals, nominal, unit
 from ...words import Words
 from ..desk import POLE
 from ..kinematics.image import found_tip
+from ..standing import sized
 from .acting import Acting
 from .bodies.bars import bars_of, past_bars
 from .masses import masses, weight_force
@@ -77,8 +78,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
         )
         st.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j), 0.0)
         return None
-    on_paper = board.measure(0j, tip, letters)
-    accel = board.compute(f"a_{{{mass.centre}}}", board.mu(View.ACCELERATION) * on_paper, "m/s^2")
+    accel = sized(st.desk, Rel(Kind.A, At(mass.centre, link)), f"a_{{{mass.centre}}}", (0j, tip), letters)
     expr = magnitude(f"m_{link}", mass.mass, "kg") * accel
     size = board.compute(named.symbol, expr, "N")
     vector = -unit(tip) * st.mm(size.value)
@@ -89,7 +89,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
         unit="N",
         scalar=float(nominal(size.value)),
         vector=complex(nominal(each)),
-        mm=float(nominal(on_paper.value)),
+        mm=float(nominal(board.to_paper(View.ACCELERATION, accel.value))),
         line=letters,
         scale=board.scales[View.ACCELERATION].symbol,
         factor=f"m_{link}",

@@ -39,7 +39,7 @@ def draw_components(desk: Desk, rel: Rel) -> None:
         ),
         _VIEW,
     )
-    term = normal(desk, to, about, link)
+    term = normal(desk, to, about, link, further=True)
     assert term.along is not None and term.mm is not None
     foot = board.lay_off(start, term.along, term.mm, key=desk.key(parts_of[0]))
     board.arrow(_VIEW, start, foot, Role.GIVEN, key=desk.key(parts_of[0]))

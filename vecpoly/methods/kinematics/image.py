@@ -195,7 +195,7 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)
         return (_laid(desk, view, rel, link, p, x, desk.turns[omega(link)].value),)
-    n = normal(desk, at, held, link)
+    n = normal(desk, at, held, link, further=True)
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)

@@ -14,6 +14,7 @@ from ...plane import Points, nominal
 from ...vector.equation import KNOWN, Term
 from ...words import Words
 from ..desk import VECTOR, Desk, Turn
+from ..standing import sized
 
 ABSENT = Words.same("—")
 
@@ -71,10 +72,11 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
     return abs(desk.offset(joint, link, point)) < 1e-12
 
 
-def normal(desk: Desk, at: At, about: At, link: str) -> Term:
-    """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
+def normal(desk: Desk, at: At, about: At, link: str, *, further: bool = False) -> Term:
+    """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a. further: the link may
+    have another one that was laid off before."""
     rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
-    return normal_of(desk, rel, about.point, link, desk.n_tip(link))
+    return normal_of(desk, rel, about.point, link, desk.further_n_tip(link) if further else desk.n_tip(link))
 
 
 def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
@@ -110,9 +112,12 @@ def coriolis(desk: Desk, to: At, ref: At, link: str) -> Term:
     board, turn = desk.board, desk.turns[omega(link)]
     rel = Rel(Kind.AK, desk.canonical(to), desk.canonical(ref))
     sign = desk.symbol(rel)
-    stood = desk.stands(Rel(Kind.V, rel.to, rel.ref))
+    relative = Rel(Kind.V, rel.to, rel.ref)
+    stood = desk.stands(relative)
     assert stood is not None
-    v_rel, vr = stood.ends, _relative_speed(desk, to, ref)
+    v_rel = stood.ends
+    letters = f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}"
+    vr = sized(desk, relative, desk.symbol(relative), v_rel, letters)
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
     size = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
@@ -127,17 +132,6 @@ def coriolis(desk: Desk, to: At, ref: At, link: str) -> Term:
         mm=board.to_paper(View.ACCELERATION, size.value),
         tip="" if vanishes else desk.k_tip(rel),
     )
-
-
-def _relative_speed(desk: Desk, to: At, ref: At) -> Quantity:
-    """v_r of two coincident points: as a drive gives it, else read on the polygon."""
-    relative, board = Rel(Kind.V, desk.canonical(to), desk.canonical(ref)), desk.board
-    if (given := desk.size(relative)) is not None:
-        return given
-    stood = desk.stands(relative)
-    assert stood is not None
-    letters = f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}"
-    return board.compute(desk.symbol(relative), board.mu(View.VELOCITY) * board.measure(*stood.ends, letters), "m/s")
 
 
 def plain_symbol(quantity: Quantity) -> str:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...algebra.columns import TOTAL, column, decimals, headed, summed
-from ...algebra.formula import Row, Txt
+from ...algebra.formula import Row, Txt, sym
 from ...algebra.quantity import Expr, Product, Quantity, Sum, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import Listing, View
+from ...foundation.slotted import replace
 from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Mass
-from ...names import At, omega, written_unit
+from ...names import At, Kind, Rel, omega, written_unit
 from ...plane import nominal
 from ...words import Words
 from ..desk import POLE
@@ -23,6 +24,7 @@ from ..forces.senses import told_by_powers
 from ..forces.state import Statics
 from ..kinematics.image import found_tip
 from ..registry import Stage, method
+from ..standing import computed
 from .motion_of import Motion, motion_of
 
 _SOURCE = "机械原理, equivalent link: its kinetic energy and its power are those of the whole machine"
@@ -127,8 +129,9 @@ def _moving(st: Statics, mass: Mass, moved: Motion) -> _Found:
     if abs(complex(nominal(tip))) < NO_LENGTH:
         return None, None
     letters = f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
-    speed = board.mu(View.VELOCITY) * board.measure(0j, tip, letters)
-    ratio = board.compute(f"v_{{{mass.centre}}}/{moved.symbol}", speed / moved.size, moved.of_speeds)
+    known, symbol = computed(st.desk, Rel(Kind.V, at)), f"v_{{{mass.centre}}}"
+    speed = replace(known, node=sym(symbol)) if known else board.mu(View.VELOCITY) * board.measure(0j, tip, letters)
+    ratio = board.compute(f"{symbol}/{moved.symbol}", speed / moved.size, moved.of_speeds)
     return ratio, magnitude(f"m_{{{mass.link}}}", mass.mass, "kg") * _bracketed(ratio).squared()
 
 

@@ -12,12 +12,13 @@ from ...board.construction import View
 from ...mechanism.asked.machine import Equivalent, at_rest
 from ...mechanism.groups.assur import ends
 from ...mechanism.model import FRAME, Prismatic
-from ...names import At, omega
+from ...names import At, Kind, Rel, omega
 from ...plane import Reals, nominal
 from ..desk import POLE
 from ..forces.friction import STILL
 from ..forces.state import Statics
 from ..kinematics.image import found_tip
+from ..standing import sized
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,13 +57,13 @@ def _turning(st: Statics, to: Equivalent) -> Motion:
 
 
 def _sliding(st: Statics, to: Equivalent) -> Motion:
-    board, at = st.board, At(_pin(st, to.link), to.link)
+    at = At(_pin(st, to.link), to.link)
     tip = found_tip(st.desk, View.VELOCITY, at)
     if abs(complex(nominal(tip))) < NO_LENGTH:
         raise at_rest(st.mech, to)
     letters = f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
     symbol = f"v_{at.point}"
-    size = board.compute(symbol, board.mu(View.VELOCITY) * board.measure(0j, tip, letters), "m/s")
+    size = sized(st.desk, Rel(Kind.V, at), symbol, (0j, tip), letters)
     return Motion(link=to.link, size=size, sign=1.0, symbol=symbol, slides=True)
 
 

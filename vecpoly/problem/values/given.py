@@ -36,6 +36,11 @@ class GivenTable:
     rows: tuple[tuple[str, ...], ...]
 
 
+def by_table(name: str, size: str, over: str) -> Words:
+    """That what is called so is given by a table, and of what over what."""
+    return Words(f"{name} 由 {size}–{over} 数据表给出", f"{name} by the table of {size} over {over}")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Datum:
     """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
@@ -79,8 +84,8 @@ _TYPESET = {
         (pattern(r"(?<=[A-Za-z])\*(?=[a-z])"), "·"),
         (pattern(r" -> "), " → "),
         (pattern(r"(?<=[°)]) - (?=[\da-z])"), " − "),
-        (pattern(r"(\d+°): (-?[\d.]+)"), r"\2 (\1)"),
-        (pattern(r" \((\d+°)\)"), at),
+        (pattern(r"(-?\d+(?:\.\d+)?°): (-?[\d.]+(?:e[+-]?\d+)?)"), r"\2 (\1)"),
+        (pattern(r" \((-?\d+(?:\.\d+)?°)\)"), at),
         (pattern(r"(?<=°[）)]), "), comma),
     )
     for lang, log, at, comma in (("zh", r"lg $\1$", r"（\1）", "，"), ("en", r"log₁₀ $\1$", r" (\1)", ", "))
@@ -103,8 +108,8 @@ def as_printed(text: str, lang: Lang) -> str:
         text = re.sub(f"{written}(?![a-z])", printed, text)  # deg is a unit, degree a word
     for found, made in _TYPESET[lang]:
         text = found.sub(made, text)
+    text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)  # which may have an exponent then
     text = _EXPONENT.sub(_by_powers_of_ten, text)
-    text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)
     return _MINUS.sub("−", _OF_ZERO.sub("", text))
 
 

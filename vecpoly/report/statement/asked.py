@@ -56,14 +56,20 @@ def asked(solution: Solution, lang: Lang) -> str:
         if ask is None or ask.rel.key not in more
     ]
     parts = [
-        ("" if group is None else group.heads(len(some), lang))
-        + comma.join(_once_named([text for _, text in some], lang))
+        _headed(group, [text for _, text in some], lang) + comma.join(_once_named([text for _, text in some], lang))
         for group, some in asked_by_kinds(told)
     ]
     many = len(parts) >= _LISTED
     listed = [f"({n}) {part}" if many else part for n, part in enumerate(parts, 1)]
     whole = stop.join([*listed, THE_SAME.of(lang)] if more else listed)
     return whole + centrodes_asked(solution.problem).of(lang)
+
+
+def _headed(group: Group | None, texts: Sequence[str], lang: Lang) -> str:
+    """What heads a kind: nothing where each has a name of its own, which says it already."""
+    if group is None or (group.named is None and all(map(_name_of, texts))):
+        return ""
+    return group.heads(len(texts), lang)
 
 
 def repeated(solution: Solution) -> bool:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....algebra.formula import Row, Txt
+from ....algebra.formula import Txt
 from ....algebra.formula import named as name_of
-from ....algebra.quantity import Expr, Quantity, Rooted, magnitude, number
+from ....algebra.quantity import Quantity, Rooted, magnitude, number
 from ....algebra.worked import worked
 from ....devices.dynamics import asked
 from ....devices.dynamics.rim import Rim
@@ -28,7 +28,9 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
     mass = bench.worked(asked.RIM_MASS, FOUR * inertia / d.squared())
     section = board.compute("S", mass / (PI * d * magnitude("ρ", rim.density.si, "kg/m^3")), "m^2")
     ratio = magnitude("(b/h)", rim.ratio.si, "")
-    h = bench.stated(asked.RIM_H, 1e3 * np.sqrt(section.value / rim.ratio.si), _root(section / ratio))
+    h = bench.stated(
+        asked.RIM_H, 1e3 * np.sqrt(section.value / rim.ratio.si), worked(name_of("h"), Rooted(section / ratio), "m")
+    )
     b = bench.worked(asked.RIM_B, ratio * h)
     assert b is not None
     _speed(bench, rim, h, omega)
@@ -53,9 +55,3 @@ def _speed(bench: Bench, rim: Rim, h: Quantity, omega: Quantity) -> None:
         zh, en = ("不超过", "does not exceed") if bool(nominal(safe)) else ("超过", "exceeds")
         told = Words(f"{zh}许用值 {most} m/s。", f" It {en} the allowed {most} m/s.")
         bench.judged(asked.RIM_SAFE, safe, told, v.value)
-
-
-def _root(square: Expr) -> Row:
-    """h = √(S / (b/h)) = √(…) = 0.2288 m = 228.8 mm."""
-    line = worked(name_of("h"), Rooted(square), "m")
-    return Row((*line.items, Txt(f" = {number(1e3 * float(nominal(Rooted(square).value)))} mm")))

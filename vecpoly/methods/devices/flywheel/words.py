@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ....algebra.quantity import number
+from ....devices.dynamics.curve import Curve
 from ....devices.dynamics.given import Torques
 from ....words import Words
 
@@ -36,13 +37,22 @@ def constant(load: Torques) -> Words:
     one, other = ("M_d", "M_r") if load.sought == "d" else ("M_r", "M_d")
     dips = load.highest[0] < 0
     below = Words("（横轴以下为负）", " (areas below the axis are negative)") if dips else Words("", "")
+    less = _against(one, load.driving if load.sought == "d" else load.resisting)
     return Words(
         f"稳定运转时一个周期内驱动功等于阻力功，故常数力矩 ${one}$ 的矩形与 ${other}$ 线下的面积相等{below.zh}。"
-        f"量出 ${other}$ 线与横轴所围的面积 $S_i$ 和周期的长度 $OT$：",
+        f"量出 ${other}$ 线与横轴所围的面积 $S_i$ 和周期的长度 $OT${less.zh}：",
         f"In steady motion the driving and the resisting moment do equal work in a period, so the rectangle under the "
         f"constant ${one}$ has the same area as ${other}$ encloses{below.en}. "
-        f"Measure the areas $S_i$ between ${other}$ and the axis, and the length $OT$ of the period:",
+        f"Measure the areas $S_i$ between ${other}$ and the axis, and the length $OT$ of the period{less.en}:",
     )
+
+
+def _against(name: str, moment: Curve) -> Words:
+    """That a constant moment is negative, and does what the other one is called after."""
+    if min(moment.sizes) >= 0:
+        return Words("", "")
+    zh, en = ("阻碍", "resists") if name == "M_d" else ("驱动", "drives")
+    return Words(f"（${name}$ 为负，实际上起{zh}作用）", f" (${name}$ is negative: it {en})")
 
 
 def shared(left: float) -> Words:

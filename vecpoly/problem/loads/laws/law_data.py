@@ -11,7 +11,7 @@ from ....mechanism.model import FRAME, Mechanism
 from ....words import Words
 from ...problem import Datum
 from ...schema.models import LoadSpec, TableSpec
-from ...values.given import GivenTable
+from ...values.given import GivenTable, by_table
 from .tables import TABLE_HEAD
 
 _GREEK = {"phi": "φ", "theta": "θ", "alpha": "α"}
@@ -73,10 +73,7 @@ def told_table(load: Load, spec: LoadSpec) -> Datum:
         text = written(area)
         piston = Words(f"，活塞{which.zh} {text}", f", {which.en} of the piston {text}")
     return Datum(
-        words=Words(
-            f"${load.name}$ 由 {sizes}–{over} 数据表给出{piston.zh}",
-            f"${load.name}$ by the table of {sizes} over {over}{piston.en}",
-        ),
+        words=by_table(f"${load.name}$", sizes, over) + piston,
         table=GivenTable(
             head=tuple(f"{symbol} /{unit}" for symbol, unit in heads),
             rows=tuple(tuple(str(cell).strip().replace("-", "−") for cell in row) for row in spec.size.rows),
