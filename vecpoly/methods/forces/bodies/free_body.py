@@ -10,7 +10,6 @@ import numpy as np
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....diagram.links import link_alone
-from ....diagram.single import friction_circle
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Moment
 from ....mechanism.model import Contact, Prismatic, Revolute
@@ -26,11 +25,11 @@ from ..state import Statics
 from .arrows import REACH, Arrow, place_arrows
 from .bars import bars_of
 from .brought import brought_near
+from .circles import draw_circles, tangent_as_drawn
 from .couple_arm import draw_couple_arm
 from .given_loads import ways_of_loads
 from .inked import ink_arrows
 
-SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
 COUPLE = 8.0  # mm, radius of a couple's arrow
 
@@ -59,14 +58,14 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
         st.board.depict(pane, link_alone(posed, name, pressed=_guided(st, name)))
-        _draw_circles(st, pane, name)
+        larger = draw_circles(st, pane, name)
         pressing = inside.get(name, [])
         forces = [
             *(force for force in (*st.known(name), *_balance(st, name)) if force.named.key not in thrusts),
             *pressing,
         ]
         spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
-        forces, couples = brought_near(st, name, forces, spots)
+        forces, couples = brought_near(st, name, tangent_as_drawn(st, forces, larger), spots)
         pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
         arrows = place_arrows(forces, spots, pressed, pulled, bars=[*bars_of(st.board.marks(pane))])
         _displaced(st, pane, name)
@@ -108,18 +107,6 @@ def _spots(st: Statics, link: str) -> list[complex]:
     return [
         complex(nominal(p)) for p in (*points, *(st.desk.contact_of(c) for c in st.mech.contacts if link in c.links))
     ]
-
-
-def _draw_circles(st: Statics, pane: Pane, link: str) -> None:
-    """Friction circles of the link's pins; enlarged with a note where they would not be seen."""
-    for point in st.mech.link(link).points:
-        radius = st.rho(point)
-        if radius:
-            times = 1.0 if radius >= SMALL else float(np.ceil(1.5 / radius))
-            st.board.depict(pane, friction_circle(point, st.desk.at[point], radius, times))
-            if times > 1:
-                told = Words(f"摩擦圆放大 {times:g} 倍", f"friction circle × {times:g}")
-                st.board.note(pane, st.desk.at[point] + 6 - 6j, told)
 
 
 def _balance(st: Statics, link: str) -> list[Acting]:
