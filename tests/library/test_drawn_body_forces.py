@@ -86,12 +86,12 @@ def test_a_moment_on_a_free_body_turns_as_it_was_given_or_found(name: str) -> No
 
 
 @each(Later(lambda: [name for name in IDS if any(isinstance(m, AngleMark) for f in bodies(name) for m in f.marks)]))
-def test_a_reaction_leans_by_the_friction_angle_from_a_normal_that_is_drawn(name: str) -> None:
+def test_a_reaction_leans_by_the_friction_angle_of_the_steps_from_a_normal_that_is_drawn(name: str) -> None:
     loads = drawn(name).problem.loads
     assert loads is not None
     angles = {round(phi, 9) for phi in (*loads.friction.slides.values(), *loads.friction.contacts.values())}
     for figure in bodies(name):
-        for mark in (m for m in figure.marks if isinstance(m, AngleMark) and m.label == "φ"):
+        for mark in (m for m in figure.marks if isinstance(m, AngleMark) and m.label.startswith("φ")):
             normal = [
                 m
                 for m in figure.marks
@@ -109,6 +109,7 @@ def test_a_reaction_leans_by_the_friction_angle_from_a_normal_that_is_drawn(name
                 if beside(m, mark.at) < NEAR and abs(((m.b - m.a) / lean).imag) < 1e-7 * abs(m.b - m.a)
             ]
             assert leaning and round(abs(mark.sweep), 9) in angles, (figure.name, mark)
+            assert any(f"${mark.label}$" in step.words.zh for step in drawn(name).construction.steps), mark.label
 
 
 @each(IDS)

@@ -147,7 +147,7 @@ def _draw_leaning(st: Statics, pane: Pane, joint: Prismatic | Contact, force: Ac
     n = n if (n.conjugate() * u).real > 0 else -n
     st.board.join(pane, at, at + n * NORMAL, Role.CENTRE)
     st.board.plot(pane, at + n * NORMAL, "n", Dot.NONE)
-    st.board.angle(pane, at, n, float(np.angle(u / n)), NORMAL * 0.8, "φ")
+    st.board.angle(pane, at, n, float(np.angle(u / n)), NORMAL * 0.8, st.phi_symbol(joint))
 
 
 def _couple(st: Statics, pane: Pane, link: str, brought: Sequence[tuple[str, float]]) -> None:
