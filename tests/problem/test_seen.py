@@ -20,6 +20,7 @@ OFF = re.compile(
 )
 LINE = r"(?:\$(\w)\w\$|the guide through \$(\w)\$)"
 LEANS = re.compile(rf"{LINE} is at ([\d.]+)° to the (?:\$x\$ axis|horizontal)(, clockwise)?")
+ALONG = re.compile(r"\$(\w)\w\$ is (?:in the direction of|(opposite to)) the \$x\$ axis")
 SQUARE = re.compile(rf"{LINE} is (?:horizontal|(vertical))")
 TO_GUIDE = re.compile(r"\$(\w)(\w)\$ is at ([\d.]+)° to the guide of link (\w+)(, clockwise)?")
 COUNTS = re.compile(r"\$s_(\w)\$ counts (to the right|upwards) from the")
@@ -38,6 +39,8 @@ def told(datum: Datum) -> object:
         return point, start, said(along) * (-1 if back else 1), said(off) * (1 if side == "left" else -1)
     if found := LEANS.search(words):
         return found[1] or found[2], -said(found[3]) if found[4] else said(found[3])
+    if found := ALONG.search(words):
+        return found[1], 180.0 if found[2] else 0.0
     if found := SQUARE.search(words):
         return found[1] or found[2], 90.0 if found[3] else 0.0
     if found := TO_GUIDE.search(words):

@@ -22,4 +22,12 @@ def side_of(turn: float, *none: float) -> Words:
 def at_angle(text: str, turn: float, other: Words) -> Words:
     """An angle as it is written, of this size (rad), to another line: 与 x 轴成 40°（由后者顺时针量）."""
     shown, way = text.strip().lstrip("-−"), side_of(degrees(turn), 180.0)
+    if way is NO_SIDE:
+        return _along(other, opposite=abs(turn) > 1.0)
     return Words(f"与{other.zh}成 {shown}{way.zh}", f"at {shown} to {other.en}{way.en}")
+
+
+def _along(other: Words, *, opposite: bool) -> Words:
+    """A ray that points as the other line counts, or the other way."""
+    zh, en = ("反向", "opposite to") if opposite else ("同向", "in the direction of")
+    return Words(f"与{other.zh}{zh}", f"{en} {other.en}")
