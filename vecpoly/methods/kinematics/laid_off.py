@@ -27,17 +27,21 @@ def laid_off(desk: Desk, view: View, eq: Equation, to: At) -> Words:
 
 
 def _side(desk: Desk, view: View, chain: tuple[Term, ...]) -> Words:
-    """The known vectors of one side, tip to tail, and the line of the unknown one through their end."""
+    """The known vectors of one side, tip to tail, and the line of the unknown one through their end, wherever in the
+    equation that stands."""
     here, laid = POLE[view], list[Words]()
-    for term in chain[:-1]:
-        if not isinstance(term.rel, Rel) or term.unknowns or (not term.drawn and term.mm is None):
+    known, sought = [[term for term in chain if bool(term.unknowns) is wanted] for wanted in (False, True)]
+    if len(sought) != 1:
+        return _NOTHING
+    for term in known:
+        if not isinstance(term.rel, Rel) or (term.drawn and laid) or (not term.drawn and term.mm is None):
             return _NOTHING
         if term.drawn:
             here = _end_of(desk, view, term.rel.to)
         elif term.mm is not None and abs(float(nominal(term.mm))) > NO_ARROW:
             laid.append(_vector(here, term))
             here = term.tip
-    line = _line(chain[-1])
+    line = _line(sought[0])
     if not here or not line.zh:
         return _NOTHING
     through = Words(f"过 ${here}$ 作{line.zh}", f"through ${here}$ draw {line.en}")
