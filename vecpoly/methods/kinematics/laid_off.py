@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import dropwhile
+
 from ...board.construction import View
 from ...names import At, Rel
 from ...plane import nominal
@@ -30,11 +32,11 @@ def _side(desk: Desk, view: View, chain: tuple[Term, ...]) -> Words:
     """The known vectors of one side, tip to tail, and the line of the unknown one through their end, wherever in the
     equation that stands."""
     here, laid = POLE[view], list[Words]()
-    known, sought = [[term for term in chain if bool(term.unknowns) is wanted] for wanted in (False, True)]
-    if len(sought) != 1:
+    known, sought = [[term for term in chain if _is_known(term) is wanted] for wanted in (True, False)]
+    if len(sought) != 1 or any(term.drawn for term in dropwhile(_is_known, chain)):
         return _NOTHING
     for term in known:
-        if not isinstance(term.rel, Rel) or (term.drawn and laid) or (not term.drawn and term.mm is None):
+        if not isinstance(term.rel, Rel) or (not term.drawn and term.mm is None):
             return _NOTHING
         if term.drawn:
             here = _end_of(desk, view, term.rel.to)
@@ -49,6 +51,10 @@ def _side(desk: Desk, view: View, chain: tuple[Term, ...]) -> Words:
         return through
     zh, en = "，".join(one.zh for one in laid), ", ".join(one.en for one in laid)
     return Words(f"{zh}，{through.zh}", f"{en} and {through.en}")
+
+
+def _is_known(term: Term) -> bool:
+    return not term.unknowns
 
 
 def _end_of(desk: Desk, view: View, at: At) -> str:
