@@ -26,7 +26,8 @@ class Answer:
 
     drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector,
     exact_vector: the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of
-    turning. least: so many decimals, if its reading has them, for the sake of others beside it. weighed: what the
+    turning. least: so many decimals, if its reading has them, for the sake of others beside it. finer: so many
+    decimals more than that, where it lies midway between two numbers of fewer. weighed: what the
     alarm goes by.
     """
 
@@ -40,6 +41,7 @@ class Answer:
     exact_acts: LineOfAction | None = None
     turns: bool = False
     least: int = 0
+    finer: int = 0
     weighed: Weighed
 
     @property

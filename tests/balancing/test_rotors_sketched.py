@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from cmath import rect
 from math import sin
 
@@ -131,3 +132,15 @@ def test_the_names_of_planes_stand_in_line_with_them(name: str) -> None:
     for label in names:
         at = label.want.own[0]
         assert abs(label.centre.real - at.real) < 0.1 and 0 < label.centre.imag - at.imag < 4
+
+
+@pytest.mark.parametrize("name", ["6-2", "6-4", "6-7", "rotor-grade", "rotor-dalby"])
+def test_the_distance_by_which_a_product_is_multiplied_is_told_where_it_is_named(name: str) -> None:
+    """Dalby's couples were W z, and those with l < 0 were reversed, though no mass lay left of the plane."""
+    told = [
+        step.words for step in drawn(name).construction.steps if re.search(r"\$W [lz]\$|\$[lz]\$ < 0", step.words.zh)
+    ]
+    assert told
+    for words in told:
+        assert "$l$" not in words.zh or ("$l$ 为" in words.zh and "$l$: distance" in words.en), words.zh
+        assert name != "rotor-dalby" or "< 0" not in words.zh

@@ -147,7 +147,7 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
         ("balance-four-bar", {"counterweight"}, {"body of a link", "concentrated mass"}),
         ("balance-slider-crank", {"counterweight"}, {"body of a link", "concentrated mass"}),
         ("6-5", {"correction plane"}, {"inflection pole"}),
-        ("engine-single", {"concentrated mass"}, {"correction plane"}),
+        ("engine-single", {"counterweight"}, {"concentrated mass", "correction plane"}),
         ("straight-roberts", {"coupler curve"}, {"to a centre at infinity"}),
         ("3-1d", {"to a centre at infinity"}, {"coupler curve"}),
         ("stephenson-valve-gear", {"image of a link"}, {"outline or connecting line"}),

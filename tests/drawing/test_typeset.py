@@ -61,7 +61,8 @@ def test_words_in_an_index_are_upright_and_letters_of_points_and_quantities_ital
         ("I", "I", ""),
         ("W_bII", "II", "b"),
         ("W_bI", "I", "b"),
-        ("F_{I5}", "I", "F"),
+        ("F_{I5}", "5", "I"),
+        ("M_{I2}", "2", "I"),
         ("I_1", "1", "I"),
         ("W_1I", "I", "W"),
         ("m_{12I}", "I", "m"),
@@ -70,7 +71,7 @@ def test_words_in_an_index_are_upright_and_letters_of_points_and_quantities_ital
         ("v_{C2I}", "2", "I"),
     ],
 )
-def test_roman_numbers_and_the_index_of_inertia_are_upright_and_a_point_i_is_italic(
+def test_roman_numbers_are_upright_and_the_index_of_inertia_slants_beside_a_number_as_a_point_i_does(
     symbol: str, upright: str, italic: str
 ) -> None:
     box = layout(sym(symbol), EM)

@@ -17,6 +17,7 @@ from vecpoly.problem.load import load, loads
 from vecpoly.solution import Solution, solve
 
 WORKED = 4  # parts of a line symbol = formula = numbers = result
+FINE = 5  # figures that a hand writes of what it read, at most
 
 
 def lines_of(solution: Solution) -> list[list[str]]:
@@ -104,6 +105,19 @@ def test_what_later_lines_go_on_with_to_more_figures_than_it_is_answered_is_told
     lines = lines_of(solve(load("elliptic-trammel")))
     (turns,), (normal,) = ([parts for parts in lines if parts[0] == symbol] for symbol in ("ω_2", "a^n_BA"))
     assert turns[-1] == "3.126 rad/s ≈ 3.13 rad/s" and normal[2] == "3.126^2 × 0.2"
+
+
+@each((*DRAFTED, "4-5"))
+def test_no_answer_goes_on_with_more_figures_of_another_than_a_hand_writes_of_what_it_read(name: str) -> None:
+    """η = 6.74/10.49 = 0.6425 rather than 6.74/10.4904 = 0.642: what lies midway has the one figure more."""
+    solution = drafted(name)
+    answers = [] if solution is None else [one for one in solution.answers.values() if not one.computed]
+    for one in answers:
+        line = one.reading.formula
+        parts = plain(line).split(" = ") if isinstance(line, Row) else []
+        for number in re.findall(r"\d+\.\d+", parts[2]) if len(parts) == WORKED else ():
+            of_another = any(float(number) == pytest.approx(abs(other.drawn), rel=1e-4) for other in answers)
+            assert not of_another or len(number.replace(".", "").lstrip("0")) <= FINE, " = ".join(parts)
 
 
 @pytest.mark.parametrize(("key", "told"), [("v_B3", "11.96"), ("v_B3B2", "32.6")])

@@ -123,14 +123,18 @@ def test_every_equation_of_velocities_stands_under_a_step_that_names_its_point(n
         lambda: [
             name
             for name in ids(view=View.BODY)
-            if any(isinstance(m, AngleMark) and m.label == "φ" for f in drawn(name).figures(View.BODY) for m in f.marks)
+            if any(
+                isinstance(m, AngleMark) and m.label.startswith("φ")
+                for f in drawn(name).figures(View.BODY)
+                for m in f.marks
+            )
         ]
     )
 )
 def test_the_angle_of_friction_opens_on_the_side_on_which_the_arrow_stands(name: str) -> None:
     for figure in drawn(name).figures(View.BODY):
         arrows = [m for m in figure.marks if isinstance(m, Vector) and m.label.startswith("R")]
-        for mark in (m for m in figure.marks if isinstance(m, AngleMark) and m.label == "φ"):
+        for mark in (m for m in figure.marks if isinstance(m, AngleMark) and m.label.startswith("φ")):
             lean = cmath.rect(1.0, mark.start + mark.sweep)
             on_line = [
                 m

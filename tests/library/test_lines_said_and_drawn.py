@@ -8,6 +8,8 @@ from collections.abc import Iterator
 
 from tests.drawn_library import desk_of, drawn, ids
 from tests.each import Later, each
+from vecpoly.board.construction import EquationTable, View, view_of
+from vecpoly.board.paper.marks import Vector
 from vecpoly.methods.desk import Desk
 
 IDS = Later(lambda: ids())
@@ -77,3 +79,50 @@ def test_of_two_lines_that_meet_each_is_told_in_a_part_of_its_own(name: str) -> 
             told = re.split(r"[。.:] ?(?=[自过FT])", text.split(meet)[0])[-1]
             sides = told.split(wide if laid in told else narrow)
             assert [side.count(through) for side in sides] == [1, 1], told
+
+
+def sides(eq: EquationTable) -> list[list[tuple[str, str]]]:
+    """Direction and magnitude of the terms on each side of an equation."""
+    found = list[list[tuple[str, str]]]([[]])
+    for sign, direction, magnitude in zip(eq.signs, eq.directions, eq.magnitudes, strict=True):
+        if sign == "=":
+            found.append([])
+        found[-1].append((direction.zh, magnitude))
+    return found
+
+
+@each(Later(lambda: [*ids(), "lift-gate", "excavator-boom"]))
+def test_a_polygon_that_two_lines_close_is_told_from_where_they_are_drawn_and_where_they_meet(name: str) -> None:
+    """The given velocity of a cylinder stands behind the one that is sought: nothing was said of pr and of c_3."""
+    for step in drawn(name).construction.steps:
+        if step.equation is None or step.view is None or view_of(step.view) not in (View.VELOCITY, View.ACCELERATION):
+            continue
+        sought = [[way for way, size in side if size == "?"] for side in sides(step.equation)]
+        if len(sought) == 2 and all(len(ways) == 1 and ways[0][:1] in ("⊥", "∥") for ways in sought):
+            assert "两线交于" in step.words.zh and "they meet in" in step.words.en, step.words.en
+
+
+ROTATED = re.compile(rf"的转动求 .*：\$[^$]+\$ ⊥ \$({LETTER})({LETTER})\$，指向与 \$[ωα]_\S+\$（(逆|顺)时针）一致")
+
+
+@each(Later(lambda: [*ids(), "winch-gears", "3-11", "oldham-coupling", "stepped-planet"]))
+def test_a_vector_that_follows_from_a_rotation_is_told_with_its_way_and_drawn_so(name: str) -> None:
+    """The rotation of link 1 gave the velocity of H, and nothing was said of where that points."""
+    desk, construction = desk_of(name), drawn(name).construction
+    for step in construction.steps:
+        if "的转动求" not in step.words.zh:
+            continue
+        found = ROTATED.search(step.words.zh)
+        if found is None:
+            assert step.equation is not None or "由" in step.words.zh.partition("法向分量")[2], step.words.zh
+            continue
+        across = 1j * (complex(desk.at[found[2]]) - complex(desk.at[found[1]])) * (1 if found[3] == "逆" else -1)
+        ways = [
+            (mark.b - mark.a) / across
+            for figure in construction.figures
+            for mark in figure.marks
+            if figure.view in (View.VELOCITY, View.ACCELERATION)
+            and isinstance(mark, Vector)
+            and mark.step == step.number
+        ]
+        assert any(way.real > 0 and abs(way.imag) < 1e-6 * abs(way) for way in ways), step.words.zh

@@ -47,6 +47,17 @@ def test_directions_of_vectors_are_told_from_0_to_360_degrees(name: str) -> None
             assert not re.search(r"−[\d.]+°", told), told
 
 
+@each((*IDS, "3-7b", "3-11", "hypocycloid-drive"))
+def test_an_angle_between_two_lines_has_words_for_its_side_and_no_minus(name: str) -> None:
+    steps = [step.words for step in drawn(name).construction.steps]
+    for zh, en in [(one.zh, one.en) for one in steps] + [
+        (one.of("zh"), one.of("en")) for one in drawn(name).problem.given.data
+    ]:
+        assert not re.search(r"成 ?[−-]\d", zh) and not re.search(r"\bat [−-][\d.]+° to", en), (zh, en)
+        if below := re.search(r"= −[\d.]+°(.{5})", zh if "作与 $x$ 轴成" in zh else ""):
+            assert below[1] == "（顺时针）" and "° to the $x$ axis (clockwise)" in en, (zh, en)
+
+
 def test_a_load_told_clockwise_has_the_direction_that_stands_in_the_table() -> None:
     given = " ".join(one.of("en") for one in load("winch-gears").given.loads)
     assert "directed vertically downwards" in given and "−90" not in given, given

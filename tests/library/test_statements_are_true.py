@@ -106,3 +106,13 @@ def test_what_the_motor_supplies_to_each_machine_makes_up_its_power_and_is_calle
     for key in ("P_A_in", "P_B_in"):
         words = meant_by(given("5-7").subject, key, "P")
         assert words is not None and "电动机供给" in words.zh and "share of the motor power" in words.en
+
+
+@each(LIBRARY)
+def test_what_the_data_call_sought_is_asked(name: str) -> None:
+    """The constant moment of engine-card, of which nothing is asked in the position, was "sought"."""
+    problem = given(name)
+    asked = {getattr(getattr(ask, "rel", None), "key", "") for ask in problem.asks}
+    for zh, en in ((one.of("zh"), one.of("en")) for one in problem.given.data):
+        if "待求" in zh or "sought" in en:
+            assert any(re.sub(r"[{}]", "", symbol) in asked for symbol in re.findall(r"\$([^$]+)\$", zh)), en

@@ -18,8 +18,11 @@ OFF = re.compile(
     r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along [^.;]+?( produced backwards)? "
     r"and ([\d.]+) mm to its (left|right)"
 )
-LEANS = re.compile(r"(?:\$(\w)\w\$|the guide through \$(\w)\$) is at ([−-]?[\d.]+)° to the (?:\$x\$ axis|horizontal)")
-TO_GUIDE = re.compile(r"\$(\w)(\w)\$ is at (−?[\d.]+)° to the guide of link (\w+)")
+LINE = r"(?:\$(\w)\w\$|the guide through \$(\w)\$)"
+LEANS = re.compile(rf"{LINE} is at ([\d.]+)° to the (?:\$x\$ axis|horizontal)(, clockwise)?")
+ALONG = re.compile(r"\$(\w)\w\$ is (?:in the direction of|(opposite to)) the \$x\$ axis")
+SQUARE = re.compile(rf"{LINE} is (?:horizontal|(vertical))")
+TO_GUIDE = re.compile(r"\$(\w)(\w)\$ is at ([\d.]+)° to the guide of link (\w+)(, clockwise)?")
 COUNTS = re.compile(r"\$s_(\w)\$ counts (to the right|upwards) from the")
 ROUND = re.compile(r"\$(r(?:_\w)?)\$ = ([\d.]+) mm")
 
@@ -35,9 +38,13 @@ def told(datum: Datum) -> object:
         point, along, start, back, off, side = found.groups()
         return point, start, said(along) * (-1 if back else 1), said(off) * (1 if side == "left" else -1)
     if found := LEANS.search(words):
-        return found[1] or found[2], said(found[3])
+        return found[1] or found[2], -said(found[3]) if found[4] else said(found[3])
+    if found := ALONG.search(words):
+        return found[1], 180.0 if found[2] else 0.0
+    if found := SQUARE.search(words):
+        return found[1] or found[2], 90.0 if found[3] else 0.0
     if found := TO_GUIDE.search(words):
-        return found[1], found[2], found[4], said(found[3])
+        return found[1], found[2], found[4], -said(found[3]) if found[5] else said(found[3])
     if found := COUNTS.search(words):
         return found[1], found[2] == "upwards"
     if found := ROUND.search(words):

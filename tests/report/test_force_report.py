@@ -105,8 +105,8 @@ def test_each_reaction_is_told_with_its_line_of_action(pages) -> None:  # type: 
     en, zh = pages("4-3a", "en"), pages("4-3a", "zh").replace(" ", "")
     assert "tangent to the friction circle of C (upper side), moment counter-clockwise" in en
     assert "tangent to the friction circle of A (upper side), moment clockwise" in en
-    assert "inclined to the normal of the guide by φ = 8°" in en
-    assert "切于C的摩擦圆上侧，对其中心之矩逆时针" in zh and "偏离导路法线φ=8°" in zh
+    assert "inclined to the normal of the guide by φ_34 = 8°" in en
+    assert "切于C的摩擦圆上侧，对其中心之矩逆时针" in zh and "偏离导路法线φ_34=8°" in zh
 
 
 def test_moments_have_a_sense_and_efficiencies_a_percentage(pages) -> None:  # type: ignore[no-untyped-def]

@@ -41,6 +41,12 @@ def test_the_bars_of_a_solution_have_one_length_in_all_its_positions(name: str) 
     assert all(float(text.split()[0]) < 0.5 for text in differ)
 
 
+def test_no_angle_of_a_linkage_that_was_read_off_is_told_finer_than_to_its_hundredths() -> None:
+    """The transmission angle of a triple rocker was 6.595°."""
+    (told,) = next(said for item, said in table("four-positions-b").items() if "between positions" in item)
+    assert re.fullmatch(r"\d\.\d\d", told), told
+
+
 def test_three_positions_are_passed_in_their_order_and_two_have_none() -> None:
     assert table("8-8")["Order"] == ("1 → 2 → 3",)
     assert "Order" not in table("8-13")

@@ -7,8 +7,10 @@ from math import cos, pi, sin
 import numpy as np
 import pytest
 
+from tests.drawn_library import drawn
 from tests.each import Later, each
 from tests.laws import few
+from vecpoly.board.paper.marks import Point
 from vecpoly.check.designs.found_words import told as said
 from vecpoly.check.grashof import grashof
 from vecpoly.designs.base import Design
@@ -100,3 +102,16 @@ def test_a_lone_solution_below_the_usual_transmission_angle_is_said_to_be(name: 
 
 def test_the_cutter_is_said_to_transmit_force_poorly_and_a_good_linkage_is_not() -> None:
     assert "传力性能较差" in moved_told(solve(load("8-14")), "zh") and not moved_told(solve(load("8-17")), "en")
+
+
+def test_on_either_circle_a_and_its_trial_positions_have_the_letters_that_the_steps_name() -> None:
+    """A′ stood on the second circle, between 1′ and 2′, and the steps and its curve spoke of A, 1 and 2."""
+    construction = drawn("best-gamma").construction
+    charts = [figure for figure in construction.figures if figure.name.startswith("gamma of A")]
+    assert len(charts) == 2
+    for figure, primes in zip(charts, ("", "′"), strict=True):
+        letters = {mark.label for mark in figure.marks if isinstance(mark, Point) and "/" not in mark.label}
+        assert letters - {""} == {f"A{primes}", *(f"{n}{primes}" for n in range(1, 8))}
+        assert figure.title.zh.startswith(f"$A{primes}$ 在圆 $η{primes}$")
+        (chosen,) = (step.words for step in construction.steps if f"在圆 $η{primes}$ 上依次取" in step.words.zh)
+        assert f"1{primes}、2{primes}、3{primes}" in chosen.zh and f"of $A{primes}$ on the circle" in chosen.en

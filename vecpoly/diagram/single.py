@@ -15,6 +15,7 @@ from ..board.paper.marks import (
     GearMark,
     Ground,
     LinkNumber,
+    Lump,
     Outline,
     Plate,
     Point,
@@ -40,9 +41,9 @@ def plate(owner: str, *points: Points) -> Symbol:
     return Symbol.of(owner, (Plate(points=tuple(spot(p) for p in points)),))
 
 
-def disc(owner: str, centre: Points, radius: Reals) -> Symbol:
-    """A round body."""
-    return Symbol.of(owner, (Disc(centre=spot(centre), radius=amount(radius)),))
+def disc(owner: str, centre: Points, radius: Reals, lump: Lump = Lump.NONE) -> Symbol:
+    """A round body; a mass that is thought at one place."""
+    return Symbol.of(owner, (Disc(centre=spot(centre), radius=amount(radius), lump=lump),))
 
 
 def gear(owner: str, centre: Points, radius: Reals) -> Symbol:

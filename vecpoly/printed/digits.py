@@ -63,8 +63,13 @@ def decimals(answer: Answer) -> int | None:
     What was worked out has the zeros that its expected error leaves it; an angle has the tenth of the protractor. What
     is read off as a length has the figures of its reading. None ends with a digit that is worth less than its expected
     error while three figures are left, four after a leading 1: of fewer the rounding would look like a deviation;
-    what is hardly read has one.
+    what is hardly read has one. What lies midway between two numbers of so many has one more (`finer`).
     """
+    places = _decimals(answer)
+    return None if places is None else places + answer.finer
+
+
+def _decimals(answer: Answer) -> int | None:
     places, error = _places(answer), printed_unit(answer.reading.unit)[0] * _error(answer)
     if answer.computed and printed_unit(answer.reading.unit)[1] and answer.reading.unit != YES_NO:
         return _whole_figures(places, printed_unit(answer.reading.unit)[0] * answer.drawn, answer.reading.unit == "deg")

@@ -2,44 +2,70 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import isfinite
 from operator import is_
 
-from ..algebra.formula import Node, Row, Txt, sym
+from ..algebra.formula import Node, Row, Txt, named, sym
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
 from .digits import coordinates
 from .metres import in_metres
 from .places import place_parts
-from .told import EQUALS, NUMBER, Told, number_of
+from .told import EQUALS, NUMBER, Told, number_of, of_both
 from .units import printed_unit
+
+
+class _Printed:
+    """How the lines end, and go on, with the answers as they are told."""
+
+    def __init__(self, lines: Sequence[Row], answers: Mapping[str, Answer]) -> None:
+        self.answers = dict(answers)
+        self._ends = dict[tuple[Node, Node], Txt]()  # by the symbol of a line and its end as worked
+        self._own = dict[int, Txt]()  # by the line itself: what is found in two ways may be read better in one of them
+        for answer in answers.values():
+            line = answer.reading.formula
+            if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
+                self._ends[line.items[0], line.items[-1]] = self._own[id(line)] = end
+        self._told = Told(answers.values())
+        self._told.carry([(line, self._end_of(line)) for line in lines])
+
+    @property
+    def strained(self) -> set[str]:
+        """The answers that go on with more figures of what was read than a hand writes."""
+        return {key for key, one in self.answers.items() if of_both(named(one.reading.symbol)) in self._told.strained}
+
+    def line(self, line: Row) -> Row:
+        """The line as it is printed."""
+        return self._told.line(line, self._end_of(line))
+
+    def _end_of(self, line: Row) -> Txt | None:
+        """Of the line asked, and of any that evaluates the same again; None: its own."""
+        return self._own.get(id(line)) or self._ends.get((line.items[0], line.items[-1]))
 
 
 def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tuple[Construction, dict[str, Answer]]:
     """The construction and the answers: every line of an asked quantity ends as that is printed, and every line goes on
     with asked quantities as they are printed, as far as its result allows."""
-    ends = dict[tuple[Node, Node], Txt]()  # by the symbol of a line and its end as worked
-    own = dict[int, Txt]()  # by the line itself: what is found in two ways may be read better in one of them
-    for answer in answers.values():
-        line = answer.reading.formula
-        if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
-            ends[line.items[0], line.items[-1]] = own[id(line)] = end
-
-    def end_of(line: Row) -> Txt | None:
-        """Of the line asked, and of any that evaluates the same again; None: its own."""
-        return own.get(id(line)) or ends.get((line.items[0], line.items[-1]))
-
-    lines = [line for step in construction.steps for line in step.formulas]
-    told = Told(answers.values())
-    told.carry([(line, end_of(line)) for line in lines if isinstance(line, Row)])
-    lines += [one.reading.formula for one in answers.values() if one.reading.formula is not None]
-    once = {id(line): line for line in lines if isinstance(line, Row)}  # a line asked stands in its step, too
+    lines = [line for step in construction.steps for line in step.formulas if isinstance(line, Row)]
+    printed = _settled(lines, answers)
+    lines += [line for one in answers.values() if isinstance(line := one.reading.formula, Row)]
+    once = {id(line): line for line in lines}  # a line asked stands in its step, too
     scales = {sym(one.scale.symbol) for one in construction.figures if one.scale.unit == "m" and one.scale.symbol}
-    made = {key: in_metres(told.line(line, end_of(line)), line, scales) for key, line in once.items()}
+    made = {key: in_metres(printed.line(line), line, scales) for key, line in once.items()}
     steps = tuple(_with_lines(step, made) for step in construction.steps)
-    return replace(construction, steps=steps), {key: _with_line(one, made) for key, one in answers.items()}
+    return replace(construction, steps=steps), {key: _with_line(one, made) for key, one in printed.answers.items()}
+
+
+def _settled(lines: Sequence[Row], answers: Mapping[str, Answer]) -> _Printed:
+    """As they are printed. An answer that lies midway has a figure more where that spares what was read more of them
+    than a hand writes: 6.74/10.49 = 0.6425, not 6.74/10.4904 = 0.642."""
+    first = _Printed(lines, answers)
+    if not (strained := first.strained):
+        return first
+    second = _Printed(lines, {key: replace(one, finer=1) if key in strained else one for key, one in answers.items()})
+    return first if second.strained else second
 
 
 def _with_line(answer: Answer, made: Mapping[int, Row]) -> Answer:

@@ -35,6 +35,7 @@ class Told:
         self._carried: dict[Node, tuple[float, str]] = {}  # of what is not asked: its size, its number
         self._finer: dict[Node, str] = {}  # of what is asked, and gone on with to more figures than it is answered
         self._later: dict[Node, list[tuple[Row, str]]] = {}  # the lines that go on with it, and their ends
+        self.strained: set[Node] = set()  # answers that go on with more figures of what was read than a hand writes
 
     def carry(self, lines: Sequence[tuple[Row, Txt | None]]) -> None:
         """Learn how what is not asked is printed: from the last line to the first, for a number that is told to more
@@ -56,7 +57,8 @@ class Told:
             if shown is None:
                 continue
             for symbol, value, text in numbers_of(line, shown, self._told):
-                self._refine(of_both(symbol), value, text)
+                if self._refine(of_both(symbol), value, text) and end is not None:
+                    self.strained.add(of_both(line.items[0]))
             for one, value, text in numbers_of(line, shown, self._told):
                 symbol = of_both(one)
                 self._later.setdefault(symbol, []).append((line, shown))
@@ -65,12 +67,14 @@ class Told:
         given = needed.keys() - self._carried.keys() - self._by_symbol.keys()  # no line of the steps works these out
         self._carried |= {symbol: needed[symbol] for symbol in given if _figures(needed[symbol][1]) <= _FINE}
 
-    def _refine(self, symbol: Node, value: float, text: str) -> None:
-        """Learn of an answer with which a line goes on with guard figures, that its own line must tell them."""
+    def _refine(self, symbol: Node, value: float, text: str) -> bool:
+        """Learn of an answer with which a line goes on with guard figures, that its own line must tell them; whether
+        they are more than a hand writes of what it read."""
         answer, told = self._by_symbol.get(symbol), self._told(symbol, value).lstrip("−")
         if answer is None or not told or not _figures(told) < _figures(text) <= _FINEST:
-            return
+            return False
         self._finer[symbol] = max(self._finer.get(symbol, ""), text, key=_figures)
+        return _figures(text) > _FINE and not answer.computed
 
     def _own(self, line: Row, needed: dict[Node, tuple[float, str]]) -> None:
         """The number of a line that is not asked: to the scale that it is read to, or as fine as it is gone on with."""

@@ -10,7 +10,7 @@ from ..algebra.quantity import number
 from ..board.construction import LineOfAction
 from ..board.said.sides import side_of
 from ..check.truths.analysis import pin_of
-from ..mechanism.asked.forces import pairs, press_named
+from ..mechanism.asked.forces import leaning_symbol, pairs, press_named
 from ..mechanism.groups.assur import ends, is_held
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism, Rolling
@@ -136,7 +136,7 @@ def _leaning(mech: Mechanism, loads: Loads | None, links: tuple[str, str], ideal
     )
     if not phi:
         return Words(f"沿{normal.zh}", f"along {normal.en}")
-    lean = f"$φ$ = {number(degrees(phi))}°"
+    lean = f"${leaning_symbol(mech, links if contact is None else contact.point)}$ = {number(degrees(phi))}°"
     return Words(f"偏离{normal.zh} {lean}", f"inclined to {normal.en} by {lean}")
 
 

@@ -82,15 +82,15 @@ def letters(text: str, em: float, bold: bool) -> Box:
 
 WORD = pattern(
     r"(?<![a-z])(?:max|min|mean|lim|opt|rim|local|redundant|low|all|in|out|red)(?![a-z])"
-    r"|II+|I?V(?=I)I+|IV|(?:^|(?<=[a-z])|(?<=I,))I(?![A-Z])"
+    r"|II+|I?V(?=I)I+|IV|(?:^|(?<=[a-z])|(?<=I,))I(?![A-Z0-9])"
     r"|(?:(?<=^[0-9])|(?<=^[0-9][0-9])|(?<=^M))I$"  # W_1I beside W_1II, θ_MI beside θ_MII: planes, orders
 )
 NUMBERED = pattern(r"^(?:II+|IV|VI+)$")  # a plane, a shaft, a group
 
 
 def index(text: str, em: float, bold: bool) -> Box:
-    """The letters of an index: words (max, min, rim), Roman numbers and the I of inertia are upright, what stands for a
-    quantity or a point is italic."""
+    """The letters of an index: words (max, min, rim) and Roman numbers are upright, what stands for a quantity or a
+    point is italic; so is the I of inertia before a number, which else might be another: M_I2 and M_12."""
     parts, end = list[Box](), 0
     for found in WORD.finditer(text):
         parts += [letters(text[end : found.start()], em, bold)] if found.start() > end else []

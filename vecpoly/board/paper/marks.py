@@ -22,6 +22,7 @@ from .bodies import Slot as Slot
 from .bodies import Weld as Weld
 from .known import Ink as Ink
 from .roles import Dot as Dot
+from .roles import Lump as Lump
 from .roles import Role as Role
 
 
@@ -135,10 +136,11 @@ class FrictionCircle(Ink):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Disc(Ink):
-    """A round cam, eccentric or tip: its profile, full line, lightly tinted."""
+    """A round cam, eccentric or tip: its profile, full line, lightly tinted; or a mass at its centre."""
 
     centre: complex
     radius: float
+    lump: Lump = Lump.NONE
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

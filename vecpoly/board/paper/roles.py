@@ -32,3 +32,12 @@ class Dot(StrEnum):
     MULTIPLE = "multiple"  # two circles, one in the other: a compound hinge of three links or more
     MASS = "mass"  # a circle of which two opposite quarters are filled: a centre of mass
     NONE = "none"  # only its letter
+
+
+class Lump(StrEnum):
+    """What a disc is a mass of."""
+
+    NONE = "none"  # a body by its shape: a cam, an eccentric, a wheel
+    OWN = "own"  # a mass that a rotor has, or one that is put for others
+    TRIAL = "trial"  # put on for one run
+    COUNTERWEIGHT = "counterweight"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import tau
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Mark, Plate, Point, Role, Segment, Vector
+from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Lump, Mark, Plate, Role, Segment, Vector
 from ...words import Words
 from .entry import HALF, MIDDLE, WIDE
 from .kind import Kind
@@ -15,13 +15,14 @@ from .met import (
     at_infinity,
     bored,
     has_lobes,
+    is_added,
     is_arc_of_cam,
     is_base_circle,
     is_cognate,
     is_coupler_curve,
     is_flow,
     is_force,
-    is_mass,
+    is_lump,
     is_path,
     is_solid,
     is_speed,
@@ -34,26 +35,7 @@ from .met import (
 from .samples import Marks, arrow, line, pinned
 
 BODY = (-1j * HALF, WIDE - 1j * HALF, WIDE + 1j * HALF, 1j * HALF)  # corners of a sample
-NEAR = 1e-6  # mm
 SMALL = HALF + 0.2  # mm: radius of a round sample
-
-
-def _on_trial(_: Figure, mark: Mark) -> bool:
-    """Whether it is a mass that is put on a rotor for one run."""
-    return isinstance(mark, Disc) and mark.owner.startswith("trial")
-
-
-def _stays(figure: Figure, mark: Mark) -> bool:
-    """Whether it is a mass that the rotor has."""
-    return is_mass(Disc)(figure, mark) and not _on_trial(figure, mark)
-
-
-def _balances(figure: Figure, mark: Mark) -> bool:
-    """Whether it is a counterweight on a link of a mechanism, lettered m_c1."""
-    return isinstance(mark, Disc) and any(
-        isinstance(one, Point) and one.label.startswith("m_{c") and abs(one.at - mark.centre) < NEAR
-        for one in figure.marks
-    )
 
 
 def _ring(mark: Mark) -> Marks:
@@ -137,10 +119,10 @@ BODIES: tuple[Kind, ...] = (
         met=at_infinity,
         sample=lambda _: arrow(Role.DIRECTION),
     ),
-    Kind(words=Words("配重", "counterweight"), met=_balances, sample=_mass),
-    Kind(words=Words("集中质量", "concentrated mass"), met=_stays, sample=_mass),
-    Kind(words=Words("试重", "trial weight"), met=_on_trial, sample=_mass),
-    Kind(words=Words("平衡质量", "balancing mass"), met=is_mass(Arc), sample=_mass),
+    Kind(words=Words("配重", "counterweight"), met=is_lump(Lump.COUNTERWEIGHT), sample=_mass),
+    Kind(words=Words("集中质量", "concentrated mass"), met=is_lump(Lump.OWN), sample=_mass),
+    Kind(words=Words("试重", "trial weight"), met=is_lump(Lump.TRIAL), sample=_mass),
+    Kind(words=Words("平衡质量", "balancing mass"), met=is_added, sample=_mass),
     Kind(words=Words("原有的孔、键槽", "hole or keyway it has"), met=is_void, sample=_ring),
     Kind(words=Words("去重孔、负质量", "hole to drill, negative mass"), met=bored, sample=_mass),
     Kind(
@@ -155,7 +137,7 @@ BODIES: tuple[Kind, ...] = (
     ),
     Kind(
         words=Words("构件实体", "body of a link"),
-        met=lambda figure, mark: is_solid(mark) and not (is_mass(Disc)(figure, mark) or _balances(figure, mark)),
+        met=lambda _, mark: is_solid(mark),
         sample=lambda _: (Plate(points=BODY),),
         plain=True,
     ),

@@ -25,11 +25,13 @@ _MORE = "…"  # after letters for which a sample has no room
 
 @dataclass(frozen=True, slots=True)
 class Letter:
-    """Letters that look so, on such a figure; {} in the words is what the group holds."""
+    """Letters that look so, on such a figure; {} in the words is what the group holds. sample: what stands for them
+    all, where they are one letter with many indices."""
 
     on: Callable[[Figure], bool]
     written: str
     words: Words
+    sample: str = ""
 
 
 def letters_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
@@ -43,7 +45,7 @@ def letters_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
         if found:
             told = next(iter(found.values()))
             words = Words(letter.words.zh.replace("{}", told), letter.words.en.replace("{}", told))
-            yield Entry((_sample(list(found)),), words)
+            yield Entry((_sample([letter.sample] if letter.sample else list(found)),), words)
 
 
 def resting_met(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
@@ -158,14 +160,15 @@ LETTERS: tuple[Letter, ...] = (
     Letter(is_of_curvature, r"W\^\{r\}_\{\d\}", Words("回归极", "return pole")),
     Letter(is_of_curvature, r"[a-d]", Words("平行线作图的辅助点", "auxiliary points")),
     Letter(is_of_curvature, r"O_\{\w+\}", Words("轨迹的曲率中心", "centre of curvature")),
-    Letter(is_of_curvature, r"q|Z_\{\w+\}", Words("曲率驻点曲线的直线及其点", "line of the cubic, its points")),
+    Letter(is_of_curvature, r"q", Words("曲率驻点曲线的直线", "line of the cubic")),
+    Letter(is_of_curvature, r"Z_\{\w+\}", Words("直线 $q$ 上的点", "points of the line $q$")),
     Letter(is_of_curvature, r"U_\{\d\}", Words("鲍尔点", "Ball's point")),
     Letter(_with_centres, r"P_\{?\d\d\}?(\^\{∞\})?", Words("速度瞬心", "instant centre")),
     Letter(_with_poles, r"Q_\{?\d+\}?", Words("瞬心在定平面上的位置", "pole positions, fixed plane")),
     Letter(_with_poles, r"Q\^\{′\}_\{?\d+\}?", Words("瞬心在动平面上的位置", "pole positions, moving plane")),
     Letter(_acted_on, r"h(_?\{?[\w,′]+\}?)?", Words("力臂", "arm of a force")),
     Letter(_pressed, r"n(_\{?\d+\}?)?", Words("接触面的法线", "normal of a contact")),
-    Letter(_pressed, r"φ", Words("摩擦角", "angle of friction")),
+    Letter(_pressed, r"φ(_\{?\w+\}?)?", Words("摩擦角", "angle of friction"), "φ"),
     Letter(_pressed, r"F['′]", Words("阻止滑动的力", "force that prevents sliding")),
     Letter(_projected, r"[a-z]_\{[a-z]′?\}", Words("$v$ 在力作用线上的投影", "$v$ projected on a force")),
     Letter(_of_lever, r"d_\{[a-z]′?\}", Words("力到 $p$ 的距离", "arm of a force about $p$")),

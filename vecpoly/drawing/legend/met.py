@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Arc, Curve, Disc, Dot, Mark, Outline, Plate, Point, Role, Segment, Vector
+from ...board.paper.marks import Arc, Curve, Disc, Dot, Lump, Mark, Outline, Plate, Point, Role, Segment, Vector
 from .letters import is_of_cam, is_of_curvature
 
 _PLACES = ("alpha_rise", "alpha_return", "rho_min")  # of a cam, each with a figure of its own
 _LONG = 1.5  # rad: a circle of which no more is drawn is where something meets
-_MASSES = ("mass", "trial", "crank", "counterweight")  # whose bodies on a rotor are masses
 Met = Callable[[Figure, Mark], bool]
 
 
@@ -76,8 +75,7 @@ def in_axial_view(figure: Figure, mark: Mark) -> bool:
 
 def to_counterweight(figure: Figure, mark: Mark) -> bool:
     """Whether it leads to a mass that is hung on a link."""
-    hung = (isinstance(one, Point) and one.label.replace("{", "").startswith("m_c") for one in figure.marks)
-    return _fine(mark) and any(hung)
+    return _fine(mark) and any(is_lump(Lump.COUNTERWEIGHT)(figure, one) for one in figure.marks)
 
 
 def designed(role: Role, *, given: bool) -> Met:
@@ -192,7 +190,8 @@ def is_speed(figure: Figure, mark: Mark) -> bool:
 
 def is_solid(mark: Mark) -> bool:
     """Whether it is a tinted body of a link."""
-    return isinstance(mark, Plate | Disc) or (isinstance(mark, Outline) and not mark.fixed)
+    shaped = isinstance(mark, Plate) or (isinstance(mark, Disc) and mark.lump is Lump.NONE)
+    return shaped or (isinstance(mark, Outline) and not mark.fixed)
 
 
 def at_infinity(figure: Figure, mark: Mark) -> bool:
@@ -201,13 +200,15 @@ def at_infinity(figure: Figure, mark: Mark) -> bool:
     return far and isinstance(mark, Vector) and mark.role is Role.DIRECTION and figure.view is View.MECHANISM
 
 
-def is_mass(kind: type[Mark]) -> Met:
-    """Whether it is a mass of a rotor as a body, or as one that is added."""
-    return lambda figure, mark: (
-        isinstance(mark, kind)
-        and (mark.owner.startswith(_MASSES) if isinstance(mark, Disc) else traced(Role.RESULT, Arc)(figure, mark))
-        and (of_rotor(figure) or figure.title.zh == "轴向简图" or mark.owner == "counterweight")
-    )
+def is_lump(*kinds: Lump) -> Met:
+    """Whether it is a mass that is thought at one place, of these kinds."""
+    return lambda _, mark: isinstance(mark, Disc) and mark.lump in kinds
+
+
+def is_added(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a mass that is added to a rotor."""
+    seen = of_rotor(figure) or figure.title.zh == "轴向简图"
+    return seen and traced(Role.RESULT, Arc)(figure, mark)
 
 
 def is_void(figure: Figure, mark: Mark) -> bool:

@@ -16,7 +16,7 @@ from itertools import combinations
 from ...names import Named, reaction
 from ..groups.assur import ends, hinges
 from ..laws.springs import Coil, Elastic
-from ..loads import Force, Load, Loads, Mass
+from ..loads import Force, Load, Loads, Mass, slide_name
 from ..model import Mechanism, Prismatic, Revolute
 
 
@@ -83,6 +83,13 @@ def press_named(mech: Mechanism, by: str, on: str) -> Named:
         if alike == 1
         else Named(f"{named.key}{pin.point}", f"{named.symbol[:-1]}{pin.point}}}", named.unit, named.is_vector)
     )
+
+
+def leaning_symbol(mech: Mechanism, at: str | tuple[str, str]) -> str:
+    """Of the friction angle of a contact (its letter) or of a slide (its links), as it is given: φ_T, φ_{23}."""
+    if isinstance(at, str):
+        return f"φ_{{{at}}}"
+    return f"φ_{{{slide_name(mech.number(at[0]), mech.number(at[1]))}}}"
 
 
 def slide_named(mech: Mechanism, joint: Prismatic) -> str:

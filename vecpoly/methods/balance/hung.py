@@ -8,7 +8,7 @@ from ...algebra.formula import Row, Txt, sym
 from ...algebra.quantity import magnitude, number
 from ...board.board import NO_LENGTH
 from ...board.construction import Pane, Scale, View
-from ...board.paper.marks import Dot, Role
+from ...board.paper.marks import Dot, Lump, Role
 from ...board.place import view_named
 from ...diagram.single import disc
 from ...mechanism.asked.counterweights import bearing, product, weight
@@ -123,5 +123,5 @@ def _mark(here: Weighing, of: Passing, pivot: Points, way: Reals) -> None:
     )
     end = pivot + here.desk.mm(_radius(of)) * np.exp(1j * way)
     board.join(view, pivot, end, Role.HIDDEN)
-    board.depict(view, disc(f"link {no}", complex(nominal(end)), SIZE))
+    board.depict(view, disc(f"link {no}", complex(nominal(end)), SIZE, Lump.COUNTERWEIGHT))
     board.plot(view, end, f"m_{{c{no}}}", Dot.NONE)

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from math import atan, tan
 
 from ...errors import NoSlipSenseError
-from ...mechanism.loads import Loads, slide_name
+from ...mechanism.asked.forces import leaning_symbol
+from ...mechanism.loads import Loads
 from ...mechanism.model import FRAME, Contact, Mechanism, Prismatic
 from ...names import omega
 from ...plane import Points, nominal
@@ -58,9 +59,7 @@ class Rubbing:
 
     def phi_symbol(self, joint: Prismatic | Contact) -> str:
         """Of its friction angle, as it is given: φ_T, φ_{23}."""
-        if isinstance(joint, Contact):
-            return f"φ_{{{joint.point}}}"
-        return f"φ_{{{slide_name(self.mech.number(joint.block), self.mech.number(joint.guide))}}}"
+        return leaning_symbol(self.mech, joint.point if isinstance(joint, Contact) else (joint.block, joint.guide))
 
     def phi(self, joint: Prismatic | Contact) -> float:
         """Friction angle of a slide or a contact (rad); 0 in a pass without friction.

@@ -17,6 +17,7 @@ from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
 from .lengths import write_lengths
 from .terms import known, normal, plain_symbol, ref_at
+from .turning_said import turning_said
 
 _ONE_PLACE = 1e-6  # mm on paper: nearer points have no direction from one to the other
 
@@ -168,13 +169,7 @@ def _at_one_place(desk: Desk, view: View, link: str, at: At, held: At) -> None:
 def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     """v_X = v_P + ω × PX, or a_X = a_P + a^n + a^t, all known: the vector of X is the closing side."""
     board, label = desk.board, desk.tip_label(view, at)
-    board.step(
-        Words(
-            f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。",
-            f"The rotation of link {link} gives the {QUANTITY[view].en} of ${desk.name(at)}$.",
-        ),
-        view,
-    )
+    board.step(turning_said(desk, view, link, at, held), view)
     rests = ref_at(desk, view, held, link) is None
     terms = (*(() if rests else (known(desk, view, held),)), *_turning_terms(desk, view, link, at, held))
     rel = Rel(VECTOR[view], desk.canonical(at))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import dropwhile
+
 from ...board.construction import View
 from ...names import At, Rel
 from ...plane import nominal
@@ -27,17 +29,21 @@ def laid_off(desk: Desk, view: View, eq: Equation, to: At) -> Words:
 
 
 def _side(desk: Desk, view: View, chain: tuple[Term, ...]) -> Words:
-    """The known vectors of one side, tip to tail, and the line of the unknown one through their end."""
+    """The known vectors of one side, tip to tail, and the line of the unknown one through their end, wherever in the
+    equation that stands."""
     here, laid = POLE[view], list[Words]()
-    for term in chain[:-1]:
-        if not isinstance(term.rel, Rel) or term.unknowns or (not term.drawn and term.mm is None):
+    known, sought = [[term for term in chain if _is_known(term) is wanted] for wanted in (True, False)]
+    if len(sought) != 1 or any(term.drawn for term in dropwhile(_is_known, chain)):
+        return _NOTHING
+    for term in known:
+        if not isinstance(term.rel, Rel) or (not term.drawn and term.mm is None):
             return _NOTHING
         if term.drawn:
             here = _end_of(desk, view, term.rel.to)
         elif term.mm is not None and abs(float(nominal(term.mm))) > NO_ARROW:
             laid.append(_vector(here, term))
             here = term.tip
-    line = _line(chain[-1])
+    line = _line(sought[0])
     if not here or not line.zh:
         return _NOTHING
     through = Words(f"过 ${here}$ 作{line.zh}", f"through ${here}$ draw {line.en}")
@@ -45,6 +51,10 @@ def _side(desk: Desk, view: View, chain: tuple[Term, ...]) -> Words:
         return through
     zh, en = "，".join(one.zh for one in laid), ", ".join(one.en for one in laid)
     return Words(f"{zh}，{through.zh}", f"{en} and {through.en}")
+
+
+def _is_known(term: Term) -> bool:
+    return not term.unknowns
 
 
 def _end_of(desk: Desk, view: View, at: At) -> str:

@@ -11,15 +11,14 @@ from ...words import Words
 from ..links.draft import Draft
 from ..links.guides import LINK
 from ..problem import Shape
+from ..values.leaning import at_angle, side_of
 from ..values.seen import Beside, Leaning
 
 # what makes an angle with the guide
 _OWN = {Shape.SLOT: Words("的滑道", "the slideway of "), Shape.ROD: Words("的杆", "the rod of ")}
 
 RIGHT = 90.0  # degrees: an angle that has no sense
-_RIGHT = Words("", "")
-_CLOCKWISE = Words("（由后者顺时针量）", ", clockwise from the latter")
-_COUNTER_CLOCKWISE = Words("（由后者逆时针量）", ", counter-clockwise from the latter")
+_LEVEL = Words("水平方向", "the horizontal")
 
 
 def note_aside(m: re.Match[str], draft: Draft) -> None:
@@ -43,17 +42,13 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
         said = Words(f"${pin}$ 的导路 ${symbol}$ = {{}}", f"the guide of ${pin}$ at ${symbol}$ = {{}}")
         block.note(symbol, read(fixed[2], Dim.LENGTH).si, fixed[2], said)
     elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        block.say(
-            Words(
-                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
-                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            ),
-            Leaning(at=fixed[1], turn=read(fixed[2], Dim.ANGLE).si),
-        )
+        turn = read(fixed[2], Dim.ANGLE).si
+        said = Words(f"过 ${fixed[1]}$ 的导路", f"the guide through ${fixed[1]}$ is ")
+        block.say(said + _lies(fixed[2], turn), Leaning(at=fixed[1], turn=turn))
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
-        way = _RIGHT if acute == RIGHT else _CLOCKWISE if turn > RIGHT else _COUNTER_CLOCKWISE
+        way = side_of(turn if turn <= RIGHT else turn - 180.0, RIGHT)
         own = _OWN.get(block.shape, Words("", ""))
         on = _guide_told(m["guide"])
         block.say(
@@ -62,6 +57,14 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
                 f"{own.en}link {block.name} is at {acute:g}° to {on.en}{way.en}",
             )
         )
+
+
+def _lies(text: str, turn: float) -> Words:
+    """How a guide lies in the frame."""
+    square = round(degrees(turn), 9) % 180
+    if square in (0.0, RIGHT):
+        return Words("竖直", "vertical") if square else Words("水平", "horizontal")
+    return at_angle(text, turn, _LEVEL)
 
 
 def _guide_told(guide: str) -> Words:

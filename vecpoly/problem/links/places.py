@@ -14,6 +14,7 @@ from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
 from ..schema.faults import meant
 from ..text.source import Value
+from ..values.leaning import at_angle
 from ..values.seen import OffItsGuide, SetOff
 from .draft import ANGLE_FROM, PLACED, Draft, ends_of, ray
 from .lines_told import line_words
@@ -170,11 +171,9 @@ def _by_angle(draft: Draft, point: str, data: Mapping[str, Value], lengths: list
     if len(base) == 2:
         draft.note(f"∠{base[1]}{base[0]}{point}", angle, m[1])
     else:
+        guide = Words(f"构件 {draft.name} 所沿导路的方向", f"the guide of link {draft.name}")
         draft.say(
-            Words(
-                f"${ends[0]}{ends[1]}$ 与构件 {draft.name} 所沿导路的方向成 {m[1]}（自导路逆时针量）",
-                f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide of link {draft.name}, counter-clockwise from it",
-            ),
+            Words(f"${ends[0]}{ends[1]}$ ", f"${ends[0]}{ends[1]}$ is ") + at_angle(m[1], angle, guide),
             OffItsGuide(at=ends[0], end=ends[1], link=draft.name, turn=angle),
         )
     placement = ByAngle(point=point, base=base, distance=distance.si, angle=angle)

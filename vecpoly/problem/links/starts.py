@@ -16,6 +16,7 @@ from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
 from ..problem import Shape
 from ..text.source import Value
+from ..values.leaning import X_AXIS, at_angle
 from ..values.seen import Leaning, counted
 from .draft import Draft
 
@@ -112,13 +113,10 @@ def phased(draft: Draft, point: str, key: str, length: Value, text: str) -> comp
         )
     draft.start = Start(link=draft.name, value=0.0, ray=ray)
     draft.note(f"l_{key}", distance.si, distance.text)
-    zero, zero_en = (f" ${ray[0]}{ray[1]}$ ", f"${ray[0]}{ray[1]}$") if ray else (" $x$ 轴", "the $x$ axis")
-    shown = str(angle.text).replace(" deg", "°")
+    zero = Words(f" ${ray[0]}{ray[1]}$ ", f"${ray[0]}{ray[1]}$") if ray else X_AXIS
+    lies = at_angle(str(angle.text).replace(" deg", "°"), angle.si, zero)
     draft.say(
-        Words(
-            f"图示位置 ${centre}{point}$ 与{zero}成 {shown}",
-            f"${centre}{point}$ is at {shown} to {zero_en} in the given position",
-        ),
+        Words(f"图示位置 ${centre}{point}$ {lies.zh}", f"in the given position ${centre}{point}$ is {lies.en}"),
         None if ray else Leaning(at=centre, turn=angle.si),
     )
     return cmath.rect(distance.si, angle.si)

@@ -40,6 +40,7 @@ from .heads import (
     YES,
 )
 
+_FIGURES, _SMALL = 4, 10.0  # degrees: a smaller angle to so many figures would have more than hundredths
 _SEEN = 0.005  # mm: less is no difference of lengths
 _BESIDE = frozenset({"K", "psi", "H", "gamma_min"})  # keys of what is moved and found exactly too
 _SIZE = re.compile(r"([−\d.]+)(°| mm)(?: \([−\d.]+\2\))?")  # 40.75° (40.74°)
@@ -154,10 +155,10 @@ class _Line:
             _item(TYPE_OF if self._added() else TYPE, NONE if one.kind is None else one.kind),
             _item(MARGIN, NONE if one.kind is None else Words.same(f"{column([one.margin], 1)[0]} mm")),
             self._turning(),
-            _item(Words.same("$K$"), self._beside(one.ratio, "K", "", 4)),
-            _item(SWING if swings else STROKE, self._beside(one.stroke, stroke, unit, 4)),
-            _item(GAMMA, self._beside(one.gamma, "gamma_min", "°", 4) if one.full else NONE),
-            _item(BETWEEN, self._beside(one.between, "", "°", 4)),
+            _item(Words.same("$K$"), self._beside(one.ratio, "K", "")),
+            _item(SWING if swings else STROKE, self._beside(one.stroke, stroke, unit)),
+            _item(GAMMA, self._beside(one.gamma, "gamma_min", "°") if one.full else NONE),
+            _item(BETWEEN, self._beside(one.between, "", "°")),
         ]
 
     def _kept(self) -> _Item:
@@ -225,11 +226,17 @@ class _Line:
         order = " → ".join(map(str, range(1, self.positions + 1)))
         return Words.same(order) if self.positions > 2 and self.moved.broken is None else NONE
 
-    def _beside(self, value: float, key: str, unit: str, digits: int) -> Words:
+    def _beside(self, value: float, key: str, unit: str) -> Words:
+        """With the exact value in brackets."""
         if not isfinite(value):
             return NONE
-        exact = f" ({significant(self.exact[key], digits)}{unit})" if key in self.exact else ""
-        return Words.same(f"{significant(value, digits)}{unit}{exact}")
+        exact = f" ({_figures(self.exact[key], unit)}{unit})" if key in self.exact else ""
+        return Words.same(f"{_figures(value, unit)}{unit}{exact}")
+
+
+def _figures(value: float, unit: str) -> str:
+    """Four, but of an angle no more than its hundredths."""
+    return f"{value:.2f}" if unit == "°" and abs(value) < _SMALL else significant(value, _FIGURES)
 
 
 def _item(head: Words, cell: Words) -> _Item:

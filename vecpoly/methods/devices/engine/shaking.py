@@ -10,7 +10,7 @@ import numpy as np
 from ....algebra.formula import sym
 from ....algebra.quantity import Quantity, magnitude, number
 from ....board.construction import Scale, View
-from ....board.paper.marks import Dot, Role
+from ....board.paper.marks import Dot, Lump, Role
 from ....board.place import view_named
 from ....devices.balancing.shaking import (
     COUNTERWEIGHT,
@@ -95,7 +95,7 @@ def _sketch(bench: Bench, device: ShakingForce) -> None:
     board.depict(view, rod("link 2", b, c), block("link 3", c, 1 + 0j), pivot(0j, "A"))
     weight = -way * device.r_c.si / mm
     board.join(view, 0j, weight, Role.HIDDEN)
-    board.depict(view, disc("counterweight", weight, 2.5))
+    board.depict(view, disc("counterweight", weight, 2.5, Lump.COUNTERWEIGHT))
     for at, letter in ((b, "B"), (c, "C")):
         board.plot(view, at, letter, Dot.JOINT)
     board.plot(view, weight, "m_c", Dot.NONE)

@@ -6,7 +6,7 @@ from cmath import rect
 from math import cos
 
 from ....board.construction import View
-from ....board.paper.marks import Dot, Role
+from ....board.paper.marks import Dot, Lump, Role
 from ....board.place import Pane
 from ....devices.balancing.engine import InlineEngine
 from ....diagram.single import disc, outline, rod
@@ -44,7 +44,7 @@ def crankshaft(bench: Bench, engine: InlineEngine) -> None:
         if abs(up) > SHAFT + LUMP:
             way = up / abs(up)
             board.depict(view, rod(f"crank {i}", foot + way * SHAFT, foot + up - way * LUMP))
-        board.depict(view, disc(f"crank {i}", foot + up, LUMP))
+        board.depict(view, disc(f"crank {i}", foot + up, LUMP, Lump.OWN))
         board.join(view, foot - 1j * (high + BELOW), foot + 1j * (high + ABOVE), Role.CENTRE)
         board.plot(view, foot + 1j * (high + ABOVE), str(i), Dot.NONE)
 

@@ -6,7 +6,7 @@ from cmath import rect
 from math import radians
 
 from ....board.construction import View
-from ....board.paper.marks import AngleMark, Dot, Role
+from ....board.paper.marks import AngleMark, Dot, Lump, Role
 from ....board.place import view_named
 from ....devices.balancing.field import FieldBalancing
 from ....devices.balancing.vibration import MICRON
@@ -41,7 +41,7 @@ def rotor_seen(bench: Bench, device: FieldBalancing) -> None:
     board.plot(END_VIEW, 0j, "O", Dot.JOINT)
     for i, trial in enumerate(device.trials, 1):
         at = rect(trial.r.si / mm, trial.at.si)
-        board.depict(END_VIEW, disc(f"trial {i}", at, LUMP))
+        board.depict(END_VIEW, disc(f"trial {i}", at, LUMP, Lump.TRIAL))
         board.plot(END_VIEW, at, f"{i}" if len(device.trials) > 1 else "m_t", Dot.NONE)
 
 

@@ -34,11 +34,12 @@ def about_a_third_plane(
     board.step(
         Words(
             f"校核：对 $z$ = {number(1e3 * here)} mm 处的第三平面 ${THIRD}$（画入轴向简图）取矩，按 $μ_{{Wl}}$ "
-            "作各力偶 $W l$（矢量转过 90°，沿 $W$ 的方向画；"
+            f"作各力偶 $W l$（$l$ 为到平面 ${THIRD}$ 的距离；矢量转过 90°，沿 $W$ 的方向画，"
             "平面左侧的反向），连同已量得的平衡质径积。多边形应封闭；量其缺口：",
             f"Check: take moments about a third plane ${THIRD}$, at $z$ = {number(1e3 * here)} mm (drawn into the view "
             "along the axis). To the scale $μ_{Wl}$ draw the "
-            "couples $W l$, turned by 90° so that they lie along $W$ (to the left of the plane: reversed), with the "
+            "couples $W l$ ($l$: distance from the plane), turned by 90° so that "
+            "they lie along $W$ (to the left of the plane: reversed), with the "
             "balancing products as they were read. The polygon should close; measure the gap:",
         ),
         place,

@@ -20,10 +20,9 @@ from ....words import Words
 from ..bench import Bench
 from .polygon import Laid, heading, summed
 
-TURNED = Words(
-    "力偶矢量转过 90°，沿 $W$ 的方向画；在参考平面左侧（$l$ < 0）的反向。",
-    "The couple vectors are turned by 90°, so that they lie along $W$; those to the left of the reference plane "
-    "($l$ < 0) are reversed.",
+TURNED = Words("力偶矢量转过 90°，沿 $W$ 的方向画", "The couple vectors are turned by 90°, so that they lie along $W$")
+REVERSED = Words(
+    "；在参考平面左侧（$z$ < 0）的反向", "; those to the left of the reference plane ($z$ < 0) are reversed"
 )
 
 
@@ -39,13 +38,15 @@ class Solution:
 def close_couples(bench: Bench, rotor: Rotor, place: Pane, couples: Mapping[str, Quantity]) -> list[Solution]:
     """Lay the known couples off, then close the polygon: one solution, or two mirrored ones."""
     board = bench.board
-    names = list(dict.fromkeys(name for name, _ in unknowns(rotor.masses)))
+    names, here = list(dict.fromkeys(name for name, _ in unknowns(rotor.masses))), _here(rotor)
     board.step(
         Words(
             "按 $μ_{Wl}$ 画力偶多边形：先首尾相接画出大小、方向均已知的力偶。",
             "Draw the couple polygon to the scale $μ_{Wl}$: first the couples that are wholly known. ",
         )
         + TURNED
+        + (REVERSED if any(mass.place < here for mass in rotor.masses.values()) else Words("", ""))
+        + Words("。", ".")
         + _how(rotor, names),
         place,
     )
@@ -92,9 +93,14 @@ def _how(rotor: Rotor, names: list[str]) -> Words:
     )
 
 
+def _here(rotor: Rotor) -> float:
+    """Where the reference plane is along the shaft (m)."""
+    return rotor.masses[reference(rotor.masses)].place
+
+
 def _known(rotor: Rotor, name: str, size: Quantity) -> Laid:
-    mass, here = rotor.masses[name], rotor.masses[reference(rotor.masses)].place
-    sign = (-1.0 if mass.removed else 1.0) * (1.0 if mass.place > here else -1.0)
+    mass = rotor.masses[name]
+    sign = (-1.0 if mass.removed else 1.0) * (1.0 if mass.place > _here(rotor) else -1.0)
     return Laid(named=couple_of(name), size=sign * size.value, degrees=degrees(mass.at.si))
 
 

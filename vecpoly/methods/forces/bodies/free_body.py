@@ -10,7 +10,6 @@ import numpy as np
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....diagram.links import link_alone
-from ....diagram.single import friction_circle
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Moment
 from ....mechanism.model import Contact, Prismatic, Revolute
@@ -26,11 +25,11 @@ from ..state import Statics
 from .arrows import REACH, Arrow, place_arrows
 from .bars import bars_of
 from .brought import brought_near
+from .circles import draw_circles, tangent_as_drawn
 from .couple_arm import draw_couple_arm
 from .given_loads import ways_of_loads
 from .inked import ink_arrows
 
-SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
 COUPLE = 8.0  # mm, radius of a couple's arrow
 
@@ -59,14 +58,14 @@ def draw_free_bodies(st: Statics, problem: Problem, solved: Sequence[str]) -> No
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
         st.board.depict(pane, link_alone(posed, name, pressed=_guided(st, name)))
-        _draw_circles(st, pane, name)
+        larger = draw_circles(st, pane, name)
         pressing = inside.get(name, [])
         forces = [
             *(force for force in (*st.known(name), *_balance(st, name)) if force.named.key not in thrusts),
             *pressing,
         ]
         spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
-        forces, couples = brought_near(st, name, forces, spots)
+        forces, couples = brought_near(st, name, tangent_as_drawn(st, forces, larger), spots)
         pressed = pushed.union(_pressing(st, name), (force.named.symbol for force in pressing))
         arrows = place_arrows(forces, spots, pressed, pulled, bars=[*bars_of(st.board.marks(pane))])
         _displaced(st, pane, name)
@@ -110,18 +109,6 @@ def _spots(st: Statics, link: str) -> list[complex]:
     ]
 
 
-def _draw_circles(st: Statics, pane: Pane, link: str) -> None:
-    """Friction circles of the link's pins; enlarged with a note where they would not be seen."""
-    for point in st.mech.link(link).points:
-        radius = st.rho(point)
-        if radius:
-            times = 1.0 if radius >= SMALL else float(np.ceil(1.5 / radius))
-            st.board.depict(pane, friction_circle(point, st.desk.at[point], radius, times))
-            if times > 1:
-                told = Words(f"摩擦圆放大 {times:g} 倍", f"friction circle × {times:g}")
-                st.board.note(pane, st.desk.at[point] + 6 - 6j, told)
-
-
 def _balance(st: Statics, link: str) -> list[Acting]:
     """The balancing force, where this link carries it."""
     load = st.unknown
@@ -160,7 +147,7 @@ def _draw_leaning(st: Statics, pane: Pane, joint: Prismatic | Contact, force: Ac
     n = n if (n.conjugate() * u).real > 0 else -n
     st.board.join(pane, at, at + n * NORMAL, Role.CENTRE)
     st.board.plot(pane, at + n * NORMAL, "n", Dot.NONE)
-    st.board.angle(pane, at, n, float(np.angle(u / n)), NORMAL * 0.8, "φ")
+    st.board.angle(pane, at, n, float(np.angle(u / n)), NORMAL * 0.8, st.phi_symbol(joint))
 
 
 def _couple(st: Statics, pane: Pane, link: str, brought: Sequence[tuple[str, float]]) -> None:

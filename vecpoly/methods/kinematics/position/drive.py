@@ -105,9 +105,11 @@ def _at_angle(desk: Desk, drive: Drive, others: list[str], phi: str) -> Words:
     """phi: its value as printed; nothing where it was found by trial."""
     pivot, _ = desk.crank(drive.link)
     found, found_en = ("试得的", "the ") if not phi else ("", "")
+    below = phi and nominal(drive.position) < 0  # by its sign alone a reader may not know the side
     line = Words(
-        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi} 的直线",
-        f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to the $x$ axis",
+        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi}{'（顺时针）' if below else ''} 的直线",
+        f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to the $x$ axis"
+        f"{' (clockwise)' if below else ''}",
     )
     if others and not (b := stepped_off(desk, drive)):
         return _direction(desk, drive, pivot, line)

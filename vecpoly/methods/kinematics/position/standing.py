@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees
+from math import degrees, radians
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ....errors import NoMethodError
 from ....mechanism.assembly.start import Start
 from ....mechanism.model import Link
 from ....plane import Points, Reals
+from ....problem.values.leaning import X_AXIS, at_angle
 from ....words import Words
 from ...desk import Desk
 
@@ -54,13 +55,13 @@ def said_standing(desk: Desk, link: str) -> Words:
     first = pivot(desk, body)
     lean = float(np.angle(body.points[other] - body.points[first]))
     turned = degrees(start.value + lean)
-    angle = number(turned if abs(lean) < 1e-9 else (turned + 180) % 360 - 180, 5)  # as it is given, where it is
-    zero, zero_en = (
-        (f" ${''.join(start.ray)}$ ", f"${''.join(start.ray)}$") if start.ray else (" $x$ 轴", "the $x$ axis")
-    )
+    turned = turned if abs(lean) < 1e-9 else (turned + 180) % 360 - 180  # as it is given, where it is
+    ray = "".join(start.ray)
+    zero = Words(f" ${ray}$ ", f"${ray}$") if ray else X_AXIS
+    lies = at_angle(f"{number(turned, 5)}°", radians(turned), zero)
     return Words(
-        f"按图示位置 ${first}{other}$ 与{zero}成 {angle}° 定出 ${other}$。",
-        f" Point ${other}$ is set out with ${first}{other}$ at {angle}° to {zero_en}, as given.",
+        f"按图示位置 ${first}{other}$ {lies.zh}定出 ${other}$。",
+        f" Point ${other}$ is set out with ${first}{other}$, as given, {lies.en}.",
     )
 
 

@@ -8,7 +8,7 @@ from math import degrees
 from ....designs.crank_rocker import CrankRocker
 from ....plane import Points
 from ....words import Words
-from ..arc_middle import called
+from ..arc_middle import called, primes_of
 from ..draft import SHEET, Draft
 from ..eta import Locus
 from .gamma_curve import gamma_curve
@@ -19,11 +19,11 @@ from .track import Track
 
 def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> Iterator[Points]:
     """Every A with the given γ_min; or the one with the greatest."""
-    best, board = design.best is not None, draft.board
+    best, board, primes = design.best is not None, draft.board, primes_of(locus)
     board.step(
         Words(
-            f"在{called(locus).zh}上依次取 $A$ 的若干位置 1、2、3…。",
-            f"Choose trial positions 1, 2, 3, ... of $A$ on {called(locus).en}.",
+            f"在{called(locus).zh}上依次取 $A{primes}$ 的若干位置 1{primes}、2{primes}、3{primes}…。",
+            f"Choose trial positions 1{primes}, 2{primes}, 3{primes}, ... of $A{primes}$ on {called(locus).en}.",
         ),
         SHEET,
     )
@@ -42,13 +42,13 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
                 "Take as $A$ the points for which the curve has the given $γ_min$.",
             ),
             SHEET,
-            again=Words("在此曲线上同样选取 $A$。", "Choose $A$ on this curve in the same way."),
+            again=Words(f"在此曲线上同样选取 $A{primes}$。", f"Choose $A{primes}$ on this curve in the same way."),
         )
     if not places and curve is not None:
         _nowhere(draft, best)
     for t in places:
         if curve is not None:
-            curve.point(float(track.place(t)), degrees(track.least(t)), "A")
+            curve.point(float(track.place(t)), degrees(track.least(t)), f"A{primes}")
         yield track.on_sheet(draft, t)
 
 

@@ -106,8 +106,8 @@ def told_constant(one: Constant) -> Datum:
     role = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting": Words("阻", "resisting ")}[one.role]
     return Datum(
         words=Words(
-            f"作用于构件 {one.link} 的{role.zh}力矩 ${one.name}$ 在一周期内为常数，待求",
-            f"the {role.en}moment ${one.name}$ on link {one.link} is constant over the period, and sought",
+            f"作用于构件 {one.link} 的{role.zh}力矩 ${one.name}$ 大小未知，在一周期内为常数",
+            f"the {role.en}moment ${one.name}$ on link {one.link}, of unknown size, is constant over the period",
         )
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import sin
 
 from .....board.construction import View
-from .....board.paper.marks import Dot, Role
+from .....board.paper.marks import Dot, Lump, Role
 from .....devices.balancing.asked import product_of
 from .....devices.balancing.mass import RotorMass
 from .....devices.balancing.plane import RotorPlane
@@ -119,7 +119,7 @@ def _mass_beside(bench: Bench, name: str, foot: complex, high: float, mass: Roto
     if mass.removed:
         board.circle(view, at, LUMP, Role.HIDDEN)
     else:
-        board.depict(view, disc(f"mass {name}", at, LUMP))
+        board.depict(view, disc(f"mass {name}", at, LUMP, Lump.OWN))
     board.plot(view, at, product if mass.U is not None else f"m_{{{name}}}", Dot.NONE)
 
 

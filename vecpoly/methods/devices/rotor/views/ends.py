@@ -6,7 +6,7 @@ from cmath import rect
 from math import degrees, isnan, tau
 
 from .....board.construction import Place
-from .....board.paper.marks import Dot, Role
+from .....board.paper.marks import Dot, Lump, Role
 from .....board.place import Pane
 from .....devices.balancing.asked import mass_of, product_of
 from .....devices.balancing.mass import RotorMass
@@ -184,7 +184,7 @@ def _mass_at(
     elif missing:
         board.circle(view, at, LUMP, Role.HIDDEN)
     else:
-        board.depict(view, disc(f"mass {label}", at, LUMP))
+        board.depict(view, disc(f"mass {label}", at, LUMP, Lump.OWN))
     board.plot(view, at, label, Dot.NONE)
 
 
