@@ -207,8 +207,7 @@ def is_lump(*kinds: Lump) -> Met:
 
 def is_added(figure: Figure, mark: Mark) -> bool:
     """Whether it is a mass that is added to a rotor."""
-    seen = of_rotor(figure) or figure.title.zh == "轴向简图"
-    return seen and traced(Role.RESULT, Arc)(figure, mark)
+    return (of_rotor(figure) or figure.title.zh == "轴向简图") and traced(Role.RESULT, Arc)(figure, mark)
 
 
 def is_void(figure: Figure, mark: Mark) -> bool:
