@@ -191,11 +191,9 @@ def _wanted(
 
 
 def _sought(subject: Subject) -> list[str]:
-    """What is asked where nothing is said: all that the data do not tell."""
-    given = {symbol for symbol, _ in subject.given()}
-    every = subject.usual() if isinstance(subject, devices.Device) else subject.quantities()
-    sought = [one.key for one in every if not given & {one.symbol, one.key, f"l_{{{one.key}}}"}]
-    return sought or [one.key for one in every]
+    """What is asked where nothing is said."""
+    usual = subject.usual() if isinstance(subject, devices.Device) else subject.quantities()
+    return [one.key for one in usual]
 
 
 def _known(key: str, named: dict[str, Named], sort: Sort) -> Named:
