@@ -7,7 +7,7 @@ from pathlib import Path
 from tests.dear import TURNS, listed, resting, state
 
 ROOT = Path(__file__).parents[2]
-NAMES = tuple(f"tests/some/test_claims.py::test_claim[{n}]" for n in range(300))
+NAMES = tuple(f"tests/some/test_claims.py::test_claim[{n}]" for n in range(900))
 
 
 def test_every_name_on_the_list_is_that_of_a_test() -> None:
