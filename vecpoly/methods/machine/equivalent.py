@@ -14,7 +14,6 @@ from ...mechanism.loads import Mass
 from ...names import At, omega, written_unit
 from ...plane import nominal
 from ...words import Words
-from ..desk import POLE
 from ..forces.balance.power_terms import works
 from ..forces.balance.virtual_power import written_power
 from ..forces.friction import STILL
@@ -23,7 +22,7 @@ from ..forces.senses import told_by_powers
 from ..forces.state import Statics
 from ..kinematics.image import found_tip
 from ..registry import Stage, method
-from .motion_of import Motion, motion_of
+from .motion_of import Motion, motion_of, speed_of
 
 _SOURCE = "机械原理, equivalent link: its kinetic energy and its power are those of the whole machine"
 _Values = tuple[float, ...]
@@ -122,13 +121,11 @@ def _moving(st: Statics, mass: Mass, moved: Motion) -> _Found:
     """
     if mass.link == moved.link and moved.slides:
         return magnitude("1", 1.0, ""), Product((magnitude(f"m_{{{mass.link}}}", mass.mass, "kg"),))
-    board, at = st.board, At(mass.centre, mass.link)
+    at = At(mass.centre, mass.link)
     tip = found_tip(st.desk, View.VELOCITY, at)
     if abs(complex(nominal(tip))) < NO_LENGTH:
         return None, None
-    letters = f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
-    speed = board.mu(View.VELOCITY) * board.measure(0j, tip, letters)
-    ratio = board.compute(f"v_{{{mass.centre}}}/{moved.symbol}", speed / moved.size, moved.of_speeds)
+    ratio = st.board.compute(f"v_{{{mass.centre}}}/{moved.symbol}", speed_of(st, at, tip) / moved.size, moved.of_speeds)
     return ratio, magnitude(f"m_{{{mass.link}}}", mass.mass, "kg") * _bracketed(ratio).squared()
 
 

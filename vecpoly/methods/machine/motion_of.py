@@ -6,18 +6,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...algebra.quantity import Quantity, magnitude
+from ...algebra.quantity import Product, Quantity, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...mechanism.asked.machine import Equivalent, at_rest
 from ...mechanism.groups.assur import ends
 from ...mechanism.model import FRAME, Prismatic
-from ...names import At, omega
-from ...plane import Reals, nominal
+from ...names import At, Kind, Rel, omega
+from ...plane import Points, Reals, nominal
 from ..desk import POLE
 from ..forces.friction import STILL
 from ..forces.state import Statics
 from ..kinematics.image import found_tip
+from ..standing import computed
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,14 +57,22 @@ def _turning(st: Statics, to: Equivalent) -> Motion:
 
 
 def _sliding(st: Statics, to: Equivalent) -> Motion:
-    board, at = st.board, At(_pin(st, to.link), to.link)
+    at = At(_pin(st, to.link), to.link)
     tip = found_tip(st.desk, View.VELOCITY, at)
     if abs(complex(nominal(tip))) < NO_LENGTH:
         raise at_rest(st.mech, to)
-    letters = f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
-    symbol = f"v_{at.point}"
-    size = board.compute(symbol, board.mu(View.VELOCITY) * board.measure(0j, tip, letters), "m/s")
+    symbol, speed = f"v_{at.point}", speed_of(st, at, tip)
+    size = speed if isinstance(speed, Quantity) else st.board.compute(symbol, speed, "m/s")
     return Motion(link=to.link, size=size, sign=1.0, symbol=symbol, slides=True)
+
+
+def speed_of(st: Statics, at: At, tip: Points) -> Quantity | Product:
+    """The speed of a point as it was computed, or given, and laid off; else what is measured from the pole to its
+    tip."""
+    if (known := computed(st.desk, Rel(Kind.V, at))) is not None:
+        return known
+    letters = f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
+    return st.board.mu(View.VELOCITY) * st.board.measure(0j, tip, letters)
 
 
 def _pin(st: Statics, link: str) -> str:

@@ -38,18 +38,7 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
     """Remember the data of a sliding joint for 已知."""
     if m["offset"]:
         note_aside(m, block)
-    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
-        symbol = f"{fixed[1]}_{pin}"
-        said = Words(f"${pin}$ 的导路 ${symbol}$ = {{}}", f"the guide of ${pin}$ at ${symbol}$ = {{}}")
-        block.note(symbol, read(fixed[2], Dim.LENGTH).si, fixed[2], said)
-    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        block.say(
-            Words(
-                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
-                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            ),
-            Leaning(at=fixed[1], turn=read(fixed[2], Dim.ANGLE).si),
-        )
+    note_fixed(m["guide"], block, pin)
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
@@ -61,6 +50,22 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
                 f"构件 {block.name} {own.zh}与{on.zh}成 {acute:g}°{way.zh}",
                 f"{own.en}link {block.name} is at {acute:g}° to {on.en}{way.en}",
             )
+        )
+
+
+def note_fixed(guide: str, on: Draft, pin: str) -> None:
+    """Remember where a fixed guide lies, in which a block slides or a pin runs."""
+    if fixed := re.fullmatch(r"([xy]) = (.+)", guide):
+        symbol = f"{fixed[1]}_{pin}"
+        said = Words(f"${pin}$ 的导路 ${symbol}$ = {{}}", f"the guide of ${pin}$ at ${symbol}$ = {{}}")
+        on.note(symbol, read(fixed[2], Dim.LENGTH).si, fixed[2], said)
+    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", guide):
+        on.say(
+            Words(
+                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
+                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
+            ),
+            Leaning(at=fixed[1], turn=read(fixed[2], Dim.ANGLE).si),
         )
 
 
