@@ -15,11 +15,11 @@ from vecpoly import loads
 from vecpoly.algebra.formula import plain
 from vecpoly.designs.base import Design
 from vecpoly.designs.verdict import Verdict as Use
+from vecpoly.door import Problem
 from vecpoly.errors import LockedError, VecpolyError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.oracle.forces import forces
 from vecpoly.oracle.synthesis.registry import linkages
-from vecpoly.problem.problem import Problem
 from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
