@@ -13,6 +13,7 @@ from vecpoly.board.paper.marks import AngleMark, Ground, Point
 from vecpoly.designs.base import Design
 
 NUMBERED = re.compile(r"= *−?(\d+(?:\.(\d+))?)°")
+NUMBERS = re.compile(r"\^\{\(\d+\)\}")  # of a solution: marked with it, and read without where one was taken
 LIMITS = ("8-3a", "8-3b", "8-3c", "8-17", "8-18")  # angles that are read in a given mechanism
 DESIGNS = Later(lambda: (name for name in dict.fromkeys((*IDS, *LIMITS)) if isinstance(given(name).subject, Design)))
 
@@ -41,10 +42,11 @@ def test_no_direction_of_a_line_is_marked_twice_on_either_side_of_its_pivot(name
 @each(DESIGNS)
 def test_an_angle_that_was_read_of_a_linkage_is_marked_under_its_key(name: str) -> None:
     """γ_min apart: it is the smaller of two that are marked."""
-    found = {one.symbol: unnumbered(key) for key, one in drawn(name).construction.readings.items()}
+    found = {NUMBERS.sub("", one.symbol): unnumbered(key) for key, one in drawn(name).construction.readings.items()}
     told = set[str]()
     for mark in angles(name):
-        keys = {found[symbol] for symbol in mark.label.split(" = ")[:-1] if symbol in found}
+        symbols = (NUMBERS.sub("", one) for one in mark.label.split(" = ")[:-1])
+        keys = {found[symbol] for symbol in symbols if symbol in found}
         assert not keys or unnumbered(mark.key) in keys, mark
         told |= keys
     assert {*found.values()} & {"theta", "psi", "alpha_max"} <= told

@@ -10,6 +10,7 @@ from tests.each import Later, each
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.paper.marks import Block, Ground, Point, Role, Segment, Vector
+from vecpoly.errors import NotAskedError
 from vecpoly.mechanism.asked.centres import centre, count, link_pairs, real_links
 from vecpoly.methods.centres.direct import direct_centres
 from vecpoly.methods.centres.size import NAME
@@ -84,11 +85,19 @@ def test_a_centre_is_lettered_where_the_oracle_has_it(name: str) -> None:
     truth, on_paper = Centres(mech), 0
     by_symbol = {re.sub("[{}]", "", centre(mech, a, b).symbol): (a, b) for a, b in link_pairs(mech)}
     for letter, at in shown(name).items():
-        exact = truth.place(*by_symbol[letter])
+        exact = _place(truth, by_symbol[letter])
         if isinstance(exact, complex) and letter not in off_the_paper(name):
             assert abs(at - exact / figure(name).scale.value) < SEEN, letter
             on_paper += 1
     assert on_paper >= 2
+
+
+def _place(truth: Centres, links: tuple[str, str]) -> complex | float | None:
+    """None of links that do not move on each other: their pin is lettered, and any other point would do."""
+    try:
+        return truth.place(*links)
+    except NotAskedError:
+        return None
 
 
 def off_the_paper(name: str) -> set[str]:

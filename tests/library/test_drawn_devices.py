@@ -158,7 +158,7 @@ def test_the_normal_of_a_face_is_drawn_where_the_friction_angle_starts(name: str
             ), figure.name
 
 
-@each(SKETCHED)
+@each(Later(lambda: (*SKETCHED, "ring-spring-of-steep-faces")))
 def test_bodies_touch_each_other_and_never_lie_in_one_another(name: str) -> None:
     for figure in (f for f in drawn(name).figures(View.MECHANISM) if bodies(f)):
         moving, everything = bodies(figure), bodies(figure) + bodies(figure, fixed=True)

@@ -12,12 +12,18 @@ from tests.drawn_forces import IDS, NEAR, NONE, arrows, by_symbol, size_of
 from tests.drawn_library import drawn, ids
 from tests.each import Later, each
 from vecpoly.algebra.formula import plain
-from vecpoly.board.construction import EquationTable, Figure, Step, View
+from vecpoly.board.construction import EquationTable, Figure, Reading, Step, View
 from vecpoly.board.paper.marks import Point, Role, Segment
 from vecpoly.mechanism.loads import Force
 
 DEVICES = Later(lambda: ids(mechanisms=False, view=View.FORCE))
 Side = tuple[complex, complex]
+
+
+def readings(name: str) -> list[Reading]:
+    """All forces that were read, those of a device too."""
+    made = drawn(name).construction
+    return [*made.readings.values(), *made.forces.values()]
 
 
 def balances(name: str) -> list[tuple[Step, EquationTable, Figure]]:
@@ -49,9 +55,9 @@ def opposite(label: str) -> str:
 # -- polygons -------------------------------------------------------------------------------------------------------
 
 
-@each(Later(lambda: [*IDS, *DEVICES]))
+@each(Later(lambda: [*IDS, *DEVICES, "incline-at-its-limit"]))
 def test_the_forces_of_an_equation_are_drawn_head_to_tail_and_close(name: str) -> None:
-    read = {reading.symbol: reading for reading in drawn(name).construction.forces.values()}
+    read = {one.symbol: one for one in readings(name)}
     assert balances(name)
     for step, table, figure in balances(name):
         drawn_up = sides(table, figure)

@@ -10,7 +10,7 @@ import pytest
 from tests.drawn_library import IDS, drawn, said
 from tests.each import each
 from tests.foreign_words import SYMBOL, foreign
-from tests.found import FOUND
+from tests.found import APART, FOUND
 from tests.laws import few
 from vecpoly.cycle.facts.found import facts
 from vecpoly.cycle.facts.sentences import sentences as facts_told
@@ -75,7 +75,7 @@ def numbers(text: str) -> set[str]:
     return set(NUMBER.findall(SYMBOL.sub("", text)))
 
 
-@each([*IDS, *FOUND])
+@each([*IDS, *FOUND, *APART])
 def test_letters_symbols_and_numbers_of_a_sentence_are_the_same_in_both_languages(name: str) -> None:
     for words in set(said(name)):
         zh, en = atoms(words.zh), atoms(words.en)

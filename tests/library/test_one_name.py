@@ -9,7 +9,7 @@ from itertools import combinations
 
 import pytest
 
-from tests.drawn_library import IDS, LIBRARY, drawn, given, hanging
+from tests.drawn_library import IDS, drawn, given, hanging
 from tests.each import Later, each
 from vecpoly.algebra.formula import Over, Row, Sym, plain
 from vecpoly.board.construction import Figure, View
@@ -18,6 +18,7 @@ from vecpoly.board.place import view_named
 from vecpoly.designs.base import Design
 from vecpoly.devices.structure import Structure
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 from vecpoly.report.answers.box import answer_box
 from vecpoly.solution import solve

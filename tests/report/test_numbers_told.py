@@ -14,6 +14,8 @@ from tests.drawn_library import IDS, given
 from tests.each import each
 from tests.laws import few
 from vecpoly import loads
+from vecpoly.board.paper.marks import FixedGuide, Point
+from vecpoly.devices.structure import Structure
 from vecpoly.problem.problem import Problem
 from vecpoly.report.document import write_report
 from vecpoly.solution import solve
@@ -29,6 +31,7 @@ _TOLD_OTHERWISE = (  # text; what is printed elsewhere; where to look for an ass
 )
 _UNITS = (1.0, 1e3, 1e-3, 10.0, 0.1, 1e6, 1e-6, math.degrees(1), math.radians(1), 30 / math.pi, math.pi / 30, 0.5, 2.0)
 _ROUNDED, _PLACES = 6e-4, 0.06  # of a number, and of a coordinate: so much is lost where it is printed
+_NONE = 1e-9  # of any unit: a zero, as another program wrote it
 
 
 def _sizes(value: object, key: str = "") -> Iterator[tuple[str, str]]:
@@ -51,7 +54,10 @@ def _untold(problem: Problem, path: Path) -> list[tuple[str, str]]:
     write_report([solve(problem, by="exact", repeats=0, precise=False)], path, lang="en", style="question")
     with pdfplumber.open(path) as pdf:
         printed = {float(one) for page in pdf.pages[:3] for one in _NUMBER.findall(page.extract_text())}
-    return [size for size in _sizes(problem.written.tree().data) if not _is_among(printed, size[1])]
+    told = problem.written.tree().data
+    if isinstance(problem.subject, Structure):  # its places and directions are those of the sketch, which is printed
+        told = {key: value for key, value in told["data"].items() if key != "joints"}
+    return [size for size in _sizes(told) if not _is_among(printed, size[1])]
 
 
 def _is_among(printed: set[float], size: str) -> bool:
@@ -59,7 +65,7 @@ def _is_among(printed: set[float], size: str) -> bool:
     asked = [value * factor for factor in _UNITS]
     asked += [abs(value - turn) for turn in (90.0, 180.0, 360.0)] if unit == "deg" else []
     close = (abs(one - value) <= _PLACES for one in printed if unit == "mm")
-    return not value or any(close) or any(abs(one - each) <= _ROUNDED * each for one in printed for each in asked)
+    return value < _NONE or any(close) or any(abs(one - each) <= _ROUNDED * each for one in printed for each in asked)
 
 
 @each(few(IDS, 4))
@@ -115,6 +121,36 @@ def test_the_line_of_a_slot_that_a_reader_could_not_know_is_told(text: str, said
     problem = loads(text)
     assert said in [one.of("zh") for one in problem.given.data]
     assert not _untold(problem, tmp_path / "q.pdf")
+
+
+_PIN = """
+id: pinned
+title: pinned
+frame: {A: [0 mm, 0 mm], D: [-100 mm, 60 mm]}
+links: {1: {AB: 40 mm}, 2: {BC: 120 mm}}
+joints: [C runs in GUIDE]
+branch: [C left of AB]
+input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
+find: [v_C]
+"""
+
+
+@pytest.mark.parametrize(
+    ("guide", "said"),
+    [
+        ("y = 55 mm", "$C$ 的导路 $y_C$ = 55 mm"),
+        ("line through D at -15 deg", "导路过 $D$，与水平方向成 −15°"),
+        ("AD", ""),
+    ],
+)
+def test_the_fixed_slot_in_which_a_pin_runs_is_told_and_drawn(guide: str, said: str, tmp_path: Path) -> None:
+    problem = loads(_PIN.replace("GUIDE", guide))
+    assert not said or said in [one.of("zh") for one in problem.given.data]
+    assert not _untold(problem, tmp_path / "q.pdf")
+    diagram = solve(problem, by="exact", repeats=0, precise=False).construction.figures[0]
+    at = next(mark.at for mark in diagram.marks if isinstance(mark, Point) and mark.label == "C")
+    one, other = (mark for mark in diagram.marks if isinstance(mark, FixedGuide))
+    assert abs((one.a + one.b + other.a + other.b) / 4 - at) < 1e-9
 
 
 def test_a_keyway_of_another_length_and_a_hole_in_another_material_are_told(tmp_path: Path) -> None:

@@ -23,6 +23,7 @@ from vecpoly.words import Lang
 
 STRUCTURES = Later(lambda: few([name for name in LIBRARY if isinstance(given(name).subject, Structure)], 3))
 _PAGE = 240.0 * MM
+FEW = 6  # counts that stand in one block
 
 
 @each(STRUCTURES)
@@ -86,6 +87,7 @@ def _feet(ink: Sequence[dict[str, float]]) -> list[float]:
 
 @each(STRUCTURES)
 def test_counts_stand_in_two_blocks_side_by_side_and_every_rule_between_them_is_fine(name: str) -> None:
-    """A cell that was left over looked like the head of a group: every third rule was heavy."""
+    """A cell that was left over looked like the head of a group: every third rule was heavy. A few rows stand alone."""
     table = empty_table(drawn(name).solution, "en")
-    assert len(table.header) == 4 and not any(table._ruling.over(n, row) for n, row in enumerate(table.rows))
+    assert len(table.header) == (4 if len(drawn(name).solution.answers) > FEW else 2)
+    assert not any(table._ruling.over(n, row) for n, row in enumerate(table.rows))

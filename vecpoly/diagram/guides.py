@@ -88,10 +88,19 @@ def rail_under(middle: complex, along: complex, half: float) -> FixedGuide:
     return FixedGuide(a=under - along * half, b=under + along * half, about=middle)
 
 
-def bush(middle: complex, along: complex) -> Iterator[FixedGuide]:
-    """The fixed bush in which a rod runs."""
+def bush(middle: complex, along: complex, half: float = BUSH, play: float = PLAY) -> Iterator[FixedGuide]:
+    """The fixed bush in which a rod runs: half of it to either side, so far from the rod."""
     for way in (along, -along):
-        yield FixedGuide(a=middle - way * complex(BUSH, PLAY), b=middle + way * complex(BUSH, -PLAY))
+        yield FixedGuide(a=middle - way * complex(half, play), b=middle + way * complex(half, -play))
+
+
+def fixed_slot(posed: Posed, joint: Prismatic) -> Iterator[Mark]:
+    """The fixed slot in which a pin runs: its two sides, and the centre line to the point through which it is told to
+    run."""
+    middle = posed.guide(joint).foot(posed.at[joint.pin])
+    for side in bush(middle, posed.guide(joint).along, HALF_SLOT, HALF_BLOCK):
+        yield replace(side, about=middle)
+    yield from _from_its_point(posed, joint, middle)
 
 
 def block_marks(posed: Posed, joint: Prismatic, along: complex | None = None) -> Iterator[Mark]:

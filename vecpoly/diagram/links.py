@@ -15,7 +15,7 @@ from .cams.contact import cam_body, contact_replaced, contacts_of, guided_follow
 from .cams.follower import face_marks, stem
 from .cylinders import cylinder_joint, cylinder_part, is_cylinder
 from .gears import gear_marks, guided_rack, rack_marks
-from .guides import block_marks, guide_body, is_slot, link_number, reaching, sliding_pair
+from .guides import block_marks, fixed_slot, guide_body, is_slot, link_number, reaching, sliding_pair
 from .owners import link as owner
 from .owners import owned
 from .pins import BESIDE, lines_of, passing, welds
@@ -118,6 +118,8 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
             yield from ((part, cylinder_part(posed, part, joint)) for part in (joint.guide, joint.block))
         elif _has_block(posed, joint):
             yield joint.block, sliding_pair(posed, joint)
+        elif joint.pin_in_slot and joint.guide == FRAME and posed.is_located(joint.block):
+            yield joint.block, fixed_slot(posed, joint)
     for rolling in (joint for joint in posed.mech.joints if isinstance(joint, Rolling)):
         for circle in (rolling.gear, rolling.on):
             if isinstance(circle, Circle) and _turns_up(circle, rolling, links):

@@ -37,14 +37,7 @@ def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
     """Remember the data of a sliding joint for 已知."""
     if m["offset"]:
         note_aside(m, block)
-    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
-        symbol = f"{fixed[1]}_{pin}"
-        said = Words(f"${pin}$ 的导路 ${symbol}$ = {{}}", f"the guide of ${pin}$ at ${symbol}$ = {{}}")
-        block.note(symbol, read(fixed[2], Dim.LENGTH).si, fixed[2], said)
-    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        turn = read(fixed[2], Dim.ANGLE).si
-        said = Words(f"过 ${fixed[1]}$ 的导路", f"the guide through ${fixed[1]}$ is ")
-        block.say(said + _lies(fixed[2], turn), Leaning(at=fixed[1], turn=turn))
+    note_fixed(m["guide"], block, pin)
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
@@ -65,6 +58,18 @@ def _lies(text: str, turn: float) -> Words:
     if square in (0.0, RIGHT):
         return Words("竖直", "vertical") if square else Words("水平", "horizontal")
     return at_angle(text, turn, _LEVEL)
+
+
+def note_fixed(guide: str, on: Draft, pin: str) -> None:
+    """Remember where a fixed guide lies, in which a block slides or a pin runs."""
+    if fixed := re.fullmatch(r"([xy]) = (.+)", guide):
+        symbol = f"{fixed[1]}_{pin}"
+        said = Words(f"${pin}$ 的导路 ${symbol}$ = {{}}", f"the guide of ${pin}$ at ${symbol}$ = {{}}")
+        on.note(symbol, read(fixed[2], Dim.LENGTH).si, fixed[2], said)
+    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", guide):
+        turn = read(fixed[2], Dim.ANGLE).si
+        said = Words(f"过 ${fixed[1]}$ 的导路", f"the guide through ${fixed[1]}$ is ")
+        on.say(said + _lies(fixed[2], turn), Leaning(at=fixed[1], turn=turn))
 
 
 def _guide_told(guide: str) -> Words:

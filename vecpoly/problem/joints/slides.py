@@ -19,7 +19,7 @@ from ..links.draft import Draft, Line
 from ..links.guides import GUIDE, LINK, guide_of, own_line
 from ..problem import Shape
 from ..schema.faults import meant, not_on_link
-from .slide_data import note_aside, note_slide
+from .slide_data import note_aside, note_fixed, note_slide
 
 _ASIDE = rf"(?: with (?P<off>{LETTER}) (?P<offset>.+?) (?P<side>left|right))?"
 _SLIDE = pattern(
@@ -200,6 +200,8 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
             Words(f"没有点 {pin}", f"point '{pin}' does not exist") + meant(pin, bodies.letters()), code="unknown-name"
         )
     guide, line = guide_of(m["guide"], bodies, "")
+    for owner in [draft for draft in bodies.drafts.values() if pin in draft.points][:1]:
+        note_fixed(m["guide"], owner, pin)
     name = bodies.free(f"pin{pin}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
     return Prismatic(

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import floor, isfinite, log10
 
-from ...algebra.rounding import to_places
+from ...algebra.rounding import braced, to_places
 from ...printed.units import printed_unit
 from ...solution import Answer
 from ..values import rough
 
 NOTHING = "—"
+STAR = "*"  # behind the expected error of what could hardly be found by drawing
 _SPREAD = 2  # decimals by which errors may differ that have as many
 SMALL, ROUND = 1e-5, 100.0  # smaller errors are told by powers of ten, larger ones in tens
 
@@ -27,8 +28,21 @@ def beside(answers: Sequence[Answer], deviations: Sequence[str]) -> list[str]:
     for (sign, unit), rows in kinds.items():
         sizes = [_size(answers[n], sign) for n in rows]
         for n, text in zip(rows, alike(sizes), strict=True):
-            found[n] = f"{text}{sign}" if sign != NOTHING else f"{text} {unit}"
-    return [text.strip() for text in found]
+            found[n] = f"{text}{sign or ' %'}" if sign != NOTHING else f"{text} {unit}".strip()
+    return found
+
+
+def in_one_unit(head: str, cells: Sequence[str], bare: str) -> tuple[str, list[str]]:
+    """The head and the cells of a column of deviations or errors: the unit that all of them have stands in the head; of
+    several each stands beside its number, of a pure number none. bare: the unit of a number that is told without."""
+    stars = [STAR if cell.endswith(STAR) else "" for cell in cells]
+    spaced = [cell.removesuffix(STAR).replace("°", " °") for cell in cells]
+    full = [cell if " " in cell or cell == NOTHING else f"{cell} {bare}".strip() for cell in spaced]
+    units = {cell.partition(" ")[2] for cell in full if cell != NOTHING}
+    if len(units) == 1:
+        told = head if units == {""} else f"{head} /{braced(*units)}"
+        return told, [cell.partition(" ")[0] + star for cell, star in zip(full, stars, strict=True)]
+    return head, [cell.replace(" °", "°") + star for cell, star in zip(full, stars, strict=True)]
 
 
 def sign_of(off: str) -> str:

@@ -14,12 +14,12 @@ from ..flow.results.framed import FramedTable
 from ..tables import trimmed
 from ..values import called, is_efficiency
 from .alike import named_once
-from .errors import NOTHING, beside
+from .errors import NOTHING, beside, in_one_unit
 from .line import direction_told, result_of
 from .order import Part, arranged, broken
 from .placed import ALIGN_PLACES, PLACES, angle, clean, endless, gaps, place_row, reaches
 from .tables import deviation_told, row_of, unit_of
-from .verdict import STAR, exceeds, starred
+from .verdict import exceeds, starred
 
 BY_FORMULA = Words("计算值", "computed")
 GIVEN = Words("已知", "given")
@@ -63,8 +63,8 @@ def values_table(parts: Sequence[Part], solution: Solution, lang: Lang) -> Frame
         for n in (_VALUE, _TRUE):
             heads[n] += f" /{braced(*units)}"
         rows = [row.with_cell(_IN, NOTHING) for row in rows]
-    for n, head in ((-2, _OFF), (-1, _ERROR)):
-        told, column = in_one_unit(head.of(lang), [row.cells[n] for row in rows])
+    for n, head, bare in ((-2, _OFF, "%"), (-1, _ERROR, "")):
+        told, column = in_one_unit(head.of(lang), [row.cells[n] for row in rows], bare)
         heads.append(told)
         rows = [row.with_cell(n, cell) for row, cell in zip(rows, column, strict=True)]
     return _framed(heads, rows, _ALIGN, lang)
@@ -82,20 +82,6 @@ def places_table(parts: Sequence[Part], solution: Solution, lang: Lang) -> Frame
             rows.append(Rowed((one.key,), ("" if n else head, *told, *(text.replace(" mm", "") for text in end))))
     heads = ["", *(one.of(lang) for one in PLACES)]
     return _framed(heads, rows, f"l{ALIGN_PLACES}", lang) if rows else None
-
-
-def in_one_unit(head: str, cells: Sequence[str]) -> tuple[str, list[str]]:
-    """The head and the cells of a column of deviations, per cents where no unit is told: the unit that all of them have
-    stands in the head; of several each stands beside its number."""
-    stars = [STAR if cell.endswith(STAR) else "" for cell in cells]
-    spaced = [cell.removesuffix(STAR).replace("°", " °") for cell in cells]
-    full = [cell if " " in cell or cell == NOTHING else f"{cell} %" for cell in spaced]
-    units = {cell.partition(" ")[2] for cell in full if cell != NOTHING}
-    if len(units) == 1:
-        return f"{head} /{braced(*units)}", [
-            cell.partition(" ")[0] + star for cell, star in zip(full, stars, strict=True)
-        ]
-    return head, [cell.replace(" °", "°") + star for cell, star in zip(full, stars, strict=True)]
 
 
 def _of_part(part: Part, solution: Solution, lang: Lang) -> Iterator[Rowed]:

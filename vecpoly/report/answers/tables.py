@@ -17,7 +17,7 @@ from ..flow.table import DataTable
 from ..tables import trimmed
 from ..values import called, class_told, direction_of_load, is_class, value
 from .alike import named_once
-from .errors import NOTHING, beside
+from .errors import NOTHING, beside, in_one_unit
 from .line import is_length_times_scale
 from .order import listed
 from .placed import ALIGN_PLACES, PLACES, angle, clean, endless, gaps, place_row, places_table
@@ -124,8 +124,8 @@ def filled(answers: Sequence[Answer], solution: Solution, lang: Lang) -> tuple[l
     rows = [row_of(one, solution, lang, "" if one_unit else unit_of(one)) for one in answers]
     told = [row[_OFF] for row in rows]
     lost = [is_hopeless(one) and off != NOTHING for one, off in zip(answers, told, strict=True)]
-    header[_OFF], offs = _in_one_unit(_DEVIATION.of(lang), _worth(told, lost))
-    header[-1], errors = _in_one_unit(_EXPECTED.of(lang), _worth(beside(answers, told), lost))
+    header[_OFF], offs = in_one_unit(_DEVIATION.of(lang), _worth(told, lost), "%")
+    header[-1], errors = in_one_unit(_EXPECTED.of(lang), _worth(beside(answers, told), lost), "")
     if one_unit != NOTHING and all(off == NOTHING for off in told):  # each in the unit of its row
         errors = [error.partition(" ")[0] for error in errors]
         header[-1] = _EXPECTED.of(lang) + (f" /{braced(one_unit)}" if one_unit else "")
@@ -158,17 +158,6 @@ def _headed(answers: Sequence[Answer], lang: Lang) -> tuple[list[str], str]:
     if one_unit not in ("", NOTHING):
         header = [f"{head} /{braced(one_unit)}" if n in _WITH_UNIT else head for n, head in enumerate(header)]
     return header, one_unit
-
-
-def _in_one_unit(head: str, cells: list[str]) -> tuple[str, list[str]]:
-    """The head and the cells of a column of deviations: a unit that all have stands in the head, per cents where there
-    is none; of two units in one column each stands beside its number."""
-    spaced = [cell.replace("°", " °") for cell in cells]
-    full = [cell if " " in cell or cell == NOTHING else f"{cell} %" for cell in spaced]
-    units = {cell.partition(" ")[2] for cell in full if cell != NOTHING}
-    if len(units) != 1:
-        return head, [cell.replace(" °", "°") for cell in full]
-    return f"{head} /{braced(*units)}", [cell.partition(" ")[0] for cell in full]
 
 
 def unit_of(answer: Answer) -> str:

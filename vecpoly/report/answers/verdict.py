@@ -11,10 +11,9 @@ from ...names import Named
 from ...printed.digits import coarse
 from ...solution import Answer, Solution
 from ...words import Lang, Words, joined
-from .errors import NOTHING
+from .errors import NOTHING, STAR
 
 ILL, ILL_ANGLE = 2.0, 3.0  # mm on paper, degrees: what may be off by more is hardly found by drawing
-STAR = "*"  # behind the expected error of that
 _STARRED = Words(
     f"{STAR} 由作图不易准确求得，以精确值为准", f"{STAR} ill-conditioned in the drawing: take the exact value"
 )

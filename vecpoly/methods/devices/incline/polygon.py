@@ -87,10 +87,10 @@ def _ideal(bench: Bench, device: Incline, place: Pane, it: Slope, b: Points, dri
     bench.board.step(
         Words(
             "设无摩擦，反力沿法线：过 $a$ 作平行于 $n$ 的直线，交 $F$ 的方向线于 $c_0$。正行程效率等于理想驱动力与"
-            "实际驱动力之比；",
+            "实际驱动力之比。",
             "Without friction the reaction is normal: the parallel to $n$ through $a$ meets the "
             "line of $F$ at $c_0$. The efficiency is the ratio of the ideal to the actual driving "
-            "force; ",
+            "force.",
         ),
         place,
     )
@@ -162,7 +162,10 @@ def _eta_by_formula(bench: Bench, device: Incline, it: Slope) -> None:
     """F_0 is F at φ = 0: η = sin α cos(β − α − φ) / (sin(α + φ) cos(β − α))."""
     alpha, phi, beta = it.alpha, it.phi, angle("β", device.beta.si)
     bench.board.remark(
-        Words("在 $F$ 的公式中令 $φ$ = 0 得 $F_0$，用公式核对。", "the formula for $F$ with $φ$ = 0 gives a check.")
+        Words(
+            "在 $F$ 的公式中令 $φ$ = 0 得 $F_0$，用公式核对。",
+            " The formula for $F$ gives $F_0$ at $φ$ = 0, and so a check:",
+        )
     )
     bench.board.compute(
         "η", Of("sin", alpha) * Of("cos", beta - alpha - phi) / (Of("sin", alpha + phi) * Of("cos", beta - alpha)), ""

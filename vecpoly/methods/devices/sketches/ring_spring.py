@@ -11,11 +11,9 @@ from ....plane import Line, Points, lines_meet, nominal
 from ..bench import Bench
 from ..inclined import Press, between, body, concur, numbered, press, pull, ray
 
-REACH, WALL, GAP = (
-    24.0,
-    6.0,
-    5.0,
-)  # mm: length of a face; upright ends; half the gap between the side wedges at the middle
+# mm: length of a face; upright ends; half the gap between the side wedges at the middle
+REACH, WALL, GAP = 24.0, 6.0, 5.0
+BELOW = 2.0  # mm that wedge 1 reaches past the side wedges, down and inwards at most: wedge 4 comes up as far
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +39,8 @@ class Faces:
     def one(self) -> tuple[Points, ...]:
         """Corners of wedge 1: bottom right, right end of the face, the top, and so back on the left."""
         rise = self.slides_over * REACH
-        foot, end = GAP - 2 + 0j - 2 * np.tan(np.angle(rise)) * 1j, GAP + rise
+        along = self.slides_over / max(self.slides_over.real, self.slides_over.imag)
+        foot, end = GAP - BELOW * along, GAP + rise
         top = complex(end.real, end.imag + WALL)
         return foot, end, top, _mirror(top), _mirror(end), _mirror(foot)
 
