@@ -51,8 +51,8 @@ _CLAMP = {key: words for key, words in _FRICTION.items() if key in ("phi", "alph
 _JACK = {
     "phi": Words("摩擦角", "friction angle"),
     "alpha": Words("螺纹升角", "lead angle"),
-    "M1(_over_Q)?": Words("螺纹中的力矩", "moment of the thread"),
-    "M2(_over_Q)?": Words("环面的摩擦力矩", "friction moment of the ring"),
+    "M1(_over_Q)?": Words("环面的摩擦力矩", "friction moment of the ring"),
+    "M2(_over_Q)?": Words("螺纹中的力矩", "moment of the thread"),
     "M(_over_Q)?": Words("手柄上的力矩", "moment of the lever"),
     "M0(_over_Q)?": Words("理想力矩", "ideal moment"),
     "eta": Words("效率", "efficiency"),
