@@ -26,5 +26,6 @@ def test_an_equation_is_told_of_the_figure_that_has_its_terms(name: str) -> None
     for number, step in enumerate(steps, 1):
         counts = {(one.view.name, one.name): _terms(one, step) for one in construction.figures}
         told = {(one.view.name, one.name) for one in construction.figures if number in numbers(construction, one)}
-        if told and max(counts.values()):
-            assert {counts[one] for one in told} == {max(counts.values())}, (number, told, counts)
+        most: int = max(counts.values())
+        if told and most:
+            assert all(counts[one] == most for one in told), (number, told, counts)

@@ -93,8 +93,8 @@ _RUN = {
     "omega_s": Words("稳定角速度", "steady angular velocity"),
     "T": Words("机电时间常数", "time constant"),
     "omega_t": Words("给定时刻的角速度", "angular velocity at the given time"),
-    "t": Words("时间", "time"),
-    "N": Words("转数", "number of revolutions"),
+    "t": Words("达到终了转速的时间", "time to the final speed"),
+    "N": Words("其间的转数", "number of revolutions until then"),
     "t_b": Words("制动时间", "time with the brake"),
     "N_b": Words("制动时的转数", "number of revolutions with the brake"),
 }
