@@ -8,6 +8,9 @@ import pytest
 
 from vecpoly.board.paper.tones import whose
 from vecpoly.drawing.legend.legend import entries
+from vecpoly.drawing.legend.on_sheet import with_legend
+from vecpoly.drawing.scene import TextBox
+from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
 
@@ -49,3 +52,12 @@ def test_a_pitch_curve_is_named_where_a_roller_makes_it_another_than_the_profile
 
 def test_vibrations_are_vectors_of_their_own_and_a_force_without_friction_is_its_force() -> None:
     assert len({whose(key) for key in ("V_0", "V_1", "V_t")}) == 3 and whose("F_0") == whose("F")
+
+
+@pytest.mark.parametrize("name", ["4-3a", "4-3c"])
+def test_a_force_that_is_cut_at_the_ring_of_a_detail_is_no_deviation_from_a_curve(name: str) -> None:
+    """4-3c: an arc that a detail cuts was the path of a point, and the force beside it a maximum deviation."""
+    made = sheets(solve(load(name), repeats=0, precise=False).construction, lang="en")
+    cut = [one for sheet in made for one in sheet.figures if one.figure is not None and one.figure.name[-1:].isdigit()]
+    told = " ".join(item.box.text for one in made for item in with_legend(one).results if isinstance(item, TextBox))
+    assert cut and "friction" in told and "deviation" not in told and "path of a point" not in told

@@ -182,10 +182,10 @@ def test_the_speed_of_sliding_makes_an_obtuse_angle_with_the_reaction(name: str)
 def test_the_nut_stands_on_the_thread_and_climbs_it() -> None:
     (nut,) = (f for f in drawn("5-5").figures(View.BODY) if f.name == "nut")
     (body,) = bodies(nut)
-    (thread,) = (m for m in nut.marks if isinstance(m, Vector) and m.label == "R_0")
+    (thread,) = (m for m in nut.marks if isinstance(m, Vector) and m.label == "R_1")
     (speed,) = (m for m in nut.marks if isinstance(m, Vector) and m.label == "v")
     assert body.centroid.y > thread.b.imag and (thread.b - thread.a).imag > 0 and (speed.b - speed.a).imag > 0
-    (load,) = (m for m in nut.marks if isinstance(m, Vector) and m.label == "Q_0")
+    (load,) = (m for m in nut.marks if isinstance(m, Vector) and m.label == "Q_1")
     assert (load.b - load.a).imag < 0 and abs((load.b - load.a).real) < 1e-9
 
 

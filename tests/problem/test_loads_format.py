@@ -205,7 +205,7 @@ def test_the_given_loads_are_printed_in_both_languages() -> None:
         "待求的阻力矩 $M_1$ 作用于构件 1",
         "计各构件重力，$g$ = 9.81 m/s²",
         "$ρ_A$ = 6 mm",
-        "$f$ = 0.1，$r_B$ = 50 mm，$ρ_B$ = $f r_B$ = 5 mm",
+        "$f_B$ = 0.1，$r_B$ = 50 mm，$ρ_B$ = $f_B r_B$ = 5 mm",
         "$φ_{34}$ = 8°",
         "$ρ_C$ = 4 mm",
         "$m_2$ = 3 kg",
@@ -218,6 +218,17 @@ def test_the_given_loads_are_printed_in_both_languages() -> None:
         "the unknown resisting moment $M_1$ acts on link 1",
     ]
     assert problem.given.lengths[2].of("en") == "$S_2$ lies 100 mm from $B$ along $BC$ and 20 mm to its left"
+
+
+def test_a_coefficient_is_told_with_the_place_to_which_it_belongs() -> None:
+    """f = 0.153 of a pin stood beside f_v = f/sin θ of a groove, whose f is another."""
+    rubbing = "friction: {A: {f: 0.2, r: 20 mm}, B: {f_v: 0.1, r: 20 mm}, 3-4: {f: 0.1, V: 30 deg}}\n"
+    text = [words for words in told(loads(CRANK + rubbing)) if "f_" in words]
+    assert text == [
+        "$f_A$ = 0.2，$r_A$ = 20 mm，$ρ_A$ = $f_A r_A$ = 4 mm",
+        "$f_{vB}$ = 0.1，$r_B$ = 20 mm，$ρ_B$ = $f_{vB} r_B$ = 2 mm",
+        "$f_{34}$ = 0.1，$θ_{34}$ = 30°，$f_{v34}$ = $f_{34}$/sin $θ_{34}$ = 0.2，$φ_{34}$ = arctan $f_{v34}$ = 11.31°",
+    ]
 
 
 def test_where_nothing_is_asked_the_unknown_its_frictionless_value_and_all_reactions_are() -> None:

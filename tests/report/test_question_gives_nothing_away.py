@@ -25,6 +25,18 @@ from vecpoly.typeset.box import MM
 from vecpoly.words import Lang
 
 COLUMN = 170.0 * MM
+TRACED = """
+id: t
+title: t
+frame: {A: [0 mm, 0 mm], D: [92 mm, 0 mm]}
+links:
+  1: {AB: 33 mm}
+  2: {BC: 87 mm, E: {along: BC, at: 30 mm, left: 21 mm}}
+  3: {CD: 89 mm}
+input: {link: 1, phi: 231 deg, omega: 10 rad/s ccw}
+branch: [C left of BD]
+find: [v_C]
+"""
 CRITERION = re.compile(r"[（(]\$[^$]*[<>≤≥=][^$]*\$[)）]")
 
 
@@ -122,3 +134,19 @@ def test_no_letter_stands_twice_on_the_sketch_of_what_is_given(name: str) -> Non
     figure = sketched(given(name), drawn(name).construction, 120.0, 70.0)
     letters = [label for mark in (figure.marks if figure else ()) if (label := getattr(mark, "label", ""))]
     assert len(letters) == len({*letters}), letters
+
+
+def test_which_link_is_varied_is_told_where_it_is_not_the_only_frame_of_a_double_rocker() -> None:
+    """The question had the frame AD drawn and asked for bounds of l_f: nobody could know that CD was meant."""
+    text = "id: t\ntitle: t\nsynthesis: grashof\ndata: {AB: 116 mm, BC: 180 mm, CD: 122 mm, AD: 208 mm}\n"
+    cells = " ".join(row[0] for row in empty_table(solve(loads(text + "find: [CD_min, CD_max]\n")), "en").rows)
+    assert "lower bound of $CD$ as the frame" in cells and "upper bound of $CD$" in cells
+
+
+def test_a_sketch_has_nothing_by_which_a_path_is_compared() -> None:
+    """The foot T_0 of the greatest deviation from a curve, which is found, stood on the sketch of the question."""
+    target = "target: {point: E, through: [[48 mm, 21 mm], [-34 mm, -5 mm], [38 mm, 64 mm]]}\n"
+    one = solve(loads(TRACED + target))
+    figure, drawn = sketched(one.problem, one.construction, 120.0, 70.0), one.construction.figures[0]
+    assert figure is not None and "T_0" in {mark.label for mark in drawn.marks if isinstance(mark, Point)}
+    assert not {"T", "T_0"} & {mark.label for mark in figure.marks if isinstance(mark, Point)}

@@ -64,6 +64,12 @@ class Grashof(Design):
         return tuple((named.symbol, getattr(self, named.key).text) for named in FOUR_BAR)
 
     @property
+    def is_found(self) -> bool:
+        """Whether CD alone gives a double rocker as the frame: AB is the shortest link, and has room to turn."""
+        least, *middle, most = sorted((self.AB.si, self.BC.si, self.CD.si, self.AD.si))
+        return self.AB.si == least and least + most <= sum(middle) * (1 + 1e-9)
+
+    @property
     def size(self) -> float:
         """All links end to end."""
         return self.AB.si + self.BC.si + self.CD.si + self.AD.si

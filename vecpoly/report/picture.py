@@ -10,7 +10,7 @@ from typing import Any
 
 from ..board.construction import Construction, Figure, View
 from ..board.paper.extent import extent
-from ..board.paper.marks import AngleMark, Cell, Dot, FixedGuide, Mark, Note, Point, RightAngle, Role, Vector
+from ..board.paper.marks import AngleMark, Cell, Curve, Dot, FixedGuide, Mark, Note, Point, RightAngle, Role, Vector
 from ..designs.base import Design
 from ..devices.structure import Structure
 from ..foundation.slotted import replace
@@ -65,8 +65,10 @@ def to_scale(figure: Figure) -> bool:
 
 def _given_links(figure: Figure, upto: int) -> list[Mark]:
     """The mechanism as it stands after this step, without construction lines and their letters,
-    and without the pressure angle."""
-    return [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= upto and not _drawn_on(m)]
+    without the pressure angle, and without what a path that is traced is compared by."""
+    shown = [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= upto and not _drawn_on(m)]
+    traced = {m.step for m in figure.marks if isinstance(m, Curve) and m.role is Role.CONSTRUCTION}
+    return [m for m in shown if m.step not in traced]
 
 
 def _without_centres(marks: Sequence[Mark], mech: Mechanism) -> list[Mark]:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from ...board.construction import Figure
 from ...foundation.slotted import replace
+from ..details.apart import is_detail
 from ..scene import Item, Layer, Rect, Stroke, moved
 from ..sheets.boxes.redbox import BAND
 from ..sheets.packing import TIGHT
@@ -75,7 +76,9 @@ def _written_over(made: Sheet, grid: Grid, write: Callable[[Sheet], Sheet]) -> S
 
 
 def _figures(sheet: Sheet) -> list[Figure]:
-    return [one.figure for one in sheet.figures if one.figure is not None]
+    """Those of the sheet, without their details, which show the same once more, cut at a ring."""
+    drawn = [one.figure for one in sheet.figures if one.figure is not None]
+    return [one for one in drawn if not any(one.view is of.view and is_detail(one.name, of) for of in drawn)]
 
 
 def _sets(sheet: Sheet) -> list[list[Cell]]:

@@ -8,6 +8,8 @@ pin couples of groups solved by moments have settled); then it is drawn.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from ...board.construction import View
 from ...diagram.single import friction_circle
 from ...errors import EquilibriumError, LockedError, NoSlipSenseError
@@ -16,7 +18,7 @@ from ...mechanism.asked.forces import load_named, without_friction
 from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import Revolute
-from ...plane import nominal
+from ...plane import Reals, nominal
 from ...problem.asked.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
@@ -163,7 +165,7 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
         raise LockedError(Words("考虑摩擦时不能平衡：", "no equilibrium with friction: ") + error.words) from None
     desk = ideal.desk
     desk.board.section(REAL)
-    _circles(ideal)
+    _circles(ideal, couples.values())
     st = Statics(
         desk=desk,
         loads=ideal.loads,
@@ -204,10 +206,10 @@ def _refuse_locked(ideal: Statics, st: Statics) -> None:
         )
 
 
-def _circles(st: Statics) -> None:
-    """The friction circles on the diagram, to scale."""
+def _circles(st: Statics, couples: Iterable[Reals]) -> None:
+    """The friction circles on the diagram, to scale; couples: of friction in pins, for which moments are taken."""
     board = st.board
-    radii = "、".join(f"$ρ_{point}$ = {1e3 * rho:g} mm" for point, rho in st.loads.friction.pins.items() if rho)
+    radii = "、".join(f"$ρ_{point}$ = {1e3 * rho:.4g} mm" for point, rho in st.loads.friction.pins.items() if rho)
     if radii:
         board.step(
             Words(
@@ -225,6 +227,14 @@ def _circles(st: Statics) -> None:
                 "friction angle.",
             ),
             View.MECHANISM,
+        )
+    if any(nominal(couple) for couple in couples):
+        board.remark(
+            Words(
+                "取矩时，铰链中的摩擦以力矩 $M_{fij}$ = $ρ R_{ij}$ 计入，与相对转动反向，其大小由试算得出。",
+                " Where moments are taken, the friction at a pin is the couple $M_{fij}$ = $ρ R_{ij}$ against the "
+                "relative turning; its size is found by trial.",
+            )
         )
     for point, rho in st.loads.friction.pins.items():
         if rho:

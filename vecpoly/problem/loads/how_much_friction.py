@@ -65,8 +65,14 @@ def _journal(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
         )
     r = _within("r", lambda: positive(spec.r))
     radius = f * r.si
-    text = f"${sign}$ = {f:g}，$r_{name}$ = {r.text}，$ρ_{name}$ = ${sign} r_{name}$ = {1e3 * radius:.4g} mm"
+    own = _own(sign, name)
+    text = f"${own}$ = {f:g}，$r_{name}$ = {r.text}，$ρ_{name}$ = ${own} r_{name}$ = {1e3 * radius:.4g} mm"
     return Datum(words=Words(text, text.replace("，", ", "))), radius
+
+
+def _own(sign: str, name: str) -> str:
+    """The symbol of the coefficient at one place: f_A, f_{24}, f_{v24}; that of another may be another."""
+    return f"f_{{{sign[2:]}{name}}}" if len(sign[2:] + name) > 1 else f"f_{name}"
 
 
 def _shortest(name: str, mech: Mechanism) -> tuple[float, str]:
@@ -126,13 +132,15 @@ def friction_angle(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
             )
         return Datum(symbol=f"φ_{{{name}}}", si=phi.si, text=phi.text), phi.si
     f, sign = _coefficient(spec)
-    text = f"${sign}_{{{name}}}$ = {f:g}"
+    own = _own(sign, name)
+    text = f"${own}$ = {f:g}"
     if spec.V is not None:
         half = _within("V", lambda: _half_angle(spec.V))
-        text += f"，$θ$ = {half.text}，$f_v$ = $f$/sin $θ$ = {f / math.sin(half.si):.4g}"
-        f, sign = f / math.sin(half.si), "f_v"
+        groove, equal = f"θ_{{{name}}}", _own("f_v", name)
+        text += f"，${groove}$ = {half.text}，${equal}$ = ${own}$/sin ${groove}$ = {f / math.sin(half.si):.4g}"
+        f, own = f / math.sin(half.si), equal
     angle = math.atan(f)
-    text += f"，$φ_{{{name}}}$ = arctan ${sign}$ = {math.degrees(angle):.4g} deg"
+    text += f"，$φ_{{{name}}}$ = arctan ${own}$ = {math.degrees(angle):.4g} deg"
     return Datum(words=Words(text, text.replace("，", ", "))), angle
 
 

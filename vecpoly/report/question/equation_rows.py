@@ -15,6 +15,7 @@ from ...typeset.words import layout_words
 from ...words import Lang, Words
 from ..flow.base import Block
 from ..flow.style import CELL, GREY, PALE
+from .equations import equated
 from .kinds import kinds
 from .ruled import FAINT
 
@@ -96,7 +97,7 @@ def equation_rows(solution: Solution, lang: Lang) -> list[EquationRows]:
     """Cells for the terms of each equation that the solution has, with its kind and the part of the analysis that it
     belongs to."""
     drawn = solution.construction
-    needed = [step for step in drawn.steps if step.equation is not None]
+    needed = equated(drawn)
     told = zip(needed, kinds(needed, lang, drawn.figures), strict=True)
     return [EquationRows(n, purpose, lang, cells=_cells_of(step, needed)) for n, (step, purpose) in enumerate(told, 1)]
 

@@ -11,7 +11,8 @@ from .equations import named
 
 _FRICTION = (Words("（计入摩擦）", ", with friction"), Words("（不计摩擦）", ", without friction"))
 _OF, _LINK = Words("（{}）", " ({})"), Words("构件 {}", "link {}")
-_BODIES = re.compile(r"\d+(?:-\d+)*")  # 2, or a group: 2-3-4
+_LINKS = Words("构件 {}", "links {}")
+_BODIES = re.compile(r"(\d+(?:-\d+)*)(?: ideal)?")  # 2, or a group: 2-3-4
 _REACTION = re.compile(r"R['′]?_\{\d(\d)[,}]")  # R_{12}, on link 2
 IDEAL = "ideal"  # name of a polygon without friction
 
@@ -45,8 +46,9 @@ def _whose(step: Step, lang: Lang) -> str:
     symbols = step.equation.symbols if step.equation is not None else ()
     if symbols and symbols[0][0] in "va":
         return f"${symbols[0]}$"
-    if isinstance(step.view, Pane) and step.view.view is View.FORCE and _BODIES.fullmatch(step.view.name):
-        return _LINK.of(lang).format(step.view.name)
+    pane = step.view.name if isinstance(step.view, Pane) and step.view.view is View.FORCE else ""
+    if (bodies := _BODIES.fullmatch(pane)) is not None:
+        return (_LINKS if "-" in bodies[1] else _LINK).of(lang).format(bodies[1])
     acting = next((found for symbol in symbols if (found := _REACTION.match(symbol))), None)
     return _LINK.of(lang).format(acting[1]) if acting else ""
 

@@ -51,8 +51,8 @@ _CLAMP = {key: words for key, words in _FRICTION.items() if key in ("phi", "alph
 _JACK = {
     "phi": Words("摩擦角", "friction angle"),
     "alpha": Words("螺纹升角", "lead angle"),
-    "M1(_over_Q)?": Words("螺纹中的力矩", "moment of the thread"),
-    "M2(_over_Q)?": Words("环面的摩擦力矩", "friction moment of the ring"),
+    "M1(_over_Q)?": Words("环面的摩擦力矩", "friction moment of the ring"),
+    "M2(_over_Q)?": Words("螺纹中的力矩", "moment of the thread"),
     "M(_over_Q)?": Words("手柄上的力矩", "moment of the lever"),
     "M0(_over_Q)?": Words("理想力矩", "ideal moment"),
     "eta": Words("效率", "efficiency"),
@@ -93,8 +93,8 @@ _RUN = {
     "omega_s": Words("稳定角速度", "steady angular velocity"),
     "T": Words("机电时间常数", "time constant"),
     "omega_t": Words("给定时刻的角速度", "angular velocity at the given time"),
-    "t": Words("时间", "time"),
-    "N": Words("转数", "number of revolutions"),
+    "t": Words("达到终了转速的时间", "time to the final speed"),
+    "N": Words("其间的转数", "number of revolutions until then"),
     "t_b": Words("制动时间", "time with the brake"),
     "N_b": Words("制动时的转数", "number of revolutions with the brake"),
 }

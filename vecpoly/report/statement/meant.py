@@ -99,6 +99,10 @@ _GRASHOF = {
     "CD_min": Words("双摇杆机构机架长度的下限", "lower bound of the frame of the double rocker"),
     "CD_max": Words("双摇杆机构机架长度的上限", "upper bound of the frame of the double rocker"),
 }
+_CD = _GRASHOF | {  # where other links give a double rocker, too, the one that is varied is told
+    "CD_min": Words("以 $CD$ 为机架得双摇杆机构时其长度的下限", "lower bound of $CD$ as the frame of a double rocker"),
+    "CD_max": Words("以 $CD$ 为机架得双摇杆机构时其长度的上限", "upper bound of $CD$ as the frame of a double rocker"),
+}
 _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Structure, _COUNTS),
     (Rotor, _ROTOR),
@@ -135,5 +139,7 @@ def meant_by(subject: object, key: str, symbol: str) -> Words | None:
     if (cam := cam_words.meant_by(subject, key, symbol)) is not None:
         return cam
     names = next((names for kind, names in _NAMED if isinstance(subject, kind)), {})
+    if isinstance(subject, Grashof) and not subject.is_found:
+        names = _CD
     found = next((words for pattern, words in names.items() if re.fullmatch(pattern, key)), None)
     return None if found is None else found + Words.same(f" {symbol}")

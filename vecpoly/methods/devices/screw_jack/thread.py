@@ -116,11 +116,11 @@ def _forces(bench: Bench, device: ScrewJack) -> tuple[Named, Named, Named]:
         return Named("Q", "Q", "N"), Named("F_t", "F_t", "N"), Named("R", "R", "N")
     bench.board.step(
         Words(
-            f"各力均与载荷成正比，载荷待求，故先取 $Q_0$ = {device.trial:g} N 作图。",
-            f"The load is sought, and all forces are proportional to it: draw for the load $Q_0$ = {device.trial:g} N.",
+            f"各力均与载荷成正比，载荷待求，故先取 $Q_1$ = {device.trial:g} N 作图。",
+            f"The load is sought, and all forces are proportional to it: draw for the load $Q_1$ = {device.trial:g} N.",
         )
     )
-    return Named("Q_0", "Q_0", "N"), Named("F_t0", "F_{t0}", "N"), Named("R_0", "R_0", "N")
+    return Named("Q_1", "Q_1", "N"), Named("F_t1", "F_{t1}", "N"), Named("R_1", "R_1", "N")
 
 
 def _taken(phi: str, load: str, push: str, press_on: str) -> Words:

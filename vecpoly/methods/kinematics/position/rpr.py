@@ -61,7 +61,7 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     desk.board.remark((which if why is None else said(why, "个方向")) + Words("。", "."))
     along = desk.board.turn(direct)
     if abs(offset) > 1e-9:
-        _offset_circle(desk, q, p, abs(offset), along, "e" if cam is None else "")
+        _offset_circle(desk, q, p, abs(offset), along, _letter(desk, joint, q, p) if cam is None else "")
     desk.settle_turned(joint.guide, q, along * np.exp(-1j * joint.direction))
     desk.settle_turned(joint.block, p, along * np.exp(1j * joint.turn))
 
@@ -97,10 +97,26 @@ def _touching(desk: Desk, joint: Prismatic, q: str, p: str) -> Words:
     )
     along = Words(f"，得构件 {i} 的导路方向", f": the guide of link {i} is parallel to it")
     end = is_guide if passes else through if holds else along
+    radius = Words("偏距 $e/μ_l$", "the offset $e/μ_l$") if passes or holds else _between(desk, joint, q, p)
     return Words(
-        f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作弧，过 ${q}$ 作其切线{end.zh}",
-        f"From ${q}$ draw the tangent to the arc about ${p}$ with the offset $e/μ_l$ as radius{end.en}",
+        f"以 ${p}$ 为圆心、{radius.zh}为半径作弧，过 ${q}$ 作其切线{end.zh}",
+        f"From ${q}$ draw the tangent to the arc about ${p}$ with {radius.en} as radius{end.en}",
     )
+
+
+def _between(desk: Desk, joint: Prismatic, q: str, p: str) -> Words:
+    """How far the pin is from the line through the pivot along the guide, where neither of them lies on the guide."""
+    alike = desk.offset(joint, joint.guide, q) * desk.offset(joint, joint.block, p) > 0
+    return Words(
+        f" $r/μ_l$（$r$ 为 ${p}$、${q}$ 到导路的距离之{'差' if alike else '和'}）",
+        f"$r/μ_l$ ($r$: the {'difference' if alike else 'sum'} of the distances of ${p}$ and ${q}$ from the guide)",
+    )
+
+
+def _letter(desk: Desk, joint: Prismatic, q: str, p: str) -> str:
+    """What the radius is called in the figure: the offset of the one that is off the guide, or r of both."""
+    apart = [abs(desk.offset(joint, *one)) for one in ((joint.guide, q), (joint.block, p))]
+    return "r = e" if min(apart) < 1e-9 else "r"
 
 
 def _tangent(q: str, p: str, offset: float) -> Words:
@@ -123,5 +139,5 @@ def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points, let
     desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)
     if letter and radius > LETTERED:
         desk.board.join(View.MECHANISM, centre, foot, Role.CONSTRUCTION)
-        desk.board.plot(View.MECHANISM, (centre + foot) / 2, f"r = {letter}", Dot.NONE)
+        desk.board.plot(View.MECHANISM, (centre + foot) / 2, letter, Dot.NONE)
         desk.board.right_angle(View.MECHANISM, foot, unit(centre - foot), unit(pivot - foot))
