@@ -135,7 +135,7 @@ def test_an_answer_bears_the_number_of_its_solution_where_its_line_does(name: st
 
 def test_no_joint_of_the_library_is_called_by_the_letter_that_is_printed_as_a_roman_number() -> None:
     """Its own claim, and no other's: any letter may be chosen in a file."""
-    called = {name: letters_of(name) for name in LIBRARY}
+    called = {entry.id: letters_of(entry.id) for entry in library()}
     assert not [name for name, letters in called.items() if {"I"} & {one.rstrip("'′") for one in letters}]
 
 

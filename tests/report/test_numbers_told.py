@@ -139,7 +139,7 @@ find: [v_C]
     ("guide", "said"),
     [
         ("y = 55 mm", "$C$ 的导路 $y_C$ = 55 mm"),
-        ("line through D at -15 deg", "导路过 $D$，与水平方向成 −15°"),
+        ("line through D at -15 deg", "过 $D$ 的导路与水平方向成 15°（由后者顺时针量）"),
         ("AD", ""),
     ],
 )
