@@ -42,7 +42,7 @@ def test_a_load_on_the_coupler_balances_against_friction_as_the_oracle_says(load
 
 def test_the_step_says_that_the_size_is_found_by_trial() -> None:
     steps = solved('X_b: {on: 2, size: "?"}').construction.steps
-    told = [step.words for step in steps if "试算" in step.words.zh]
+    told = [step.words for step in steps if "用试算法" in step.words.zh]
     assert len(told) == 1 and "by trial" in told[0].en
 
 
