@@ -30,6 +30,11 @@ class RotorDisc(Entry):
         thick, dense = None if b == self.b else b, None if density == self.density else density
         return (f"b_{{{index}}}", thick), (f"ρ_{{{index}}}", dense)
 
+    def symbols(self, index: str, b: Length | None, density: Density | None) -> tuple[str, str]:
+        """Of this thickness and density: those of the disc have no index."""
+        (own_b, thick), (own_rho, dense) = self.unlike(index, b, density)
+        return "b" if thick is None else own_b, "ρ" if dense is None else own_rho
+
 
 class RotorMass(Entry):
     """m: a lump. hole: diameter of a hole, through the thickness b or to a depth. keyway: its width, with its depth.
@@ -141,16 +146,15 @@ class RotorMass(Entry):
         assert length is not None
         return length.si
 
-    def own(self, name: str, disc: RotorDisc) -> tuple[tuple[str, Length | None], tuple[str, Density | None]]:
-        """Thickness and density under symbols of their own, where they are not those of the disc."""
-        thick = None if self.hole is not None and self.depth is not None else self.b
-        return disc.unlike(name, thick, self.density) if self.removed else (("", None), ("", None))
+    @property
+    def thickness(self) -> Length | None:
+        """How thick the disc is at it; None of a blind hole, whose depth says how long it is."""
+        return None if self.hole is not None and self.depth is not None else self.b
 
     def symbols(self, name: str, disc: RotorDisc) -> tuple[str, str]:
-        """Of its length along the axis, and of its density: those of the disc have no index."""
-        (b, thick), (rho, dense) = self.own(name, disc)
-        along = "b" if self.hole is None or self.depth is None else f"h_{{{name}}}"
-        return along if thick is None else b, "ρ" if dense is None else rho
+        """Of its length along the axis, and of its density."""
+        b, rho = disc.symbols(name, self.thickness, self.density)
+        return (f"h_{{{name}}}" if self.thickness is None else b), rho
 
     @property
     def product(self) -> float:

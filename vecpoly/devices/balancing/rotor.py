@@ -207,7 +207,7 @@ class Rotor(Device):
             sizes = (("m", mass.m), ("d", mass.hole), ("w", mass.keyway), ("h", mass.depth), ("W", mass.U))
             places = (("r", mass.r), ("θ", mass.at), ("z", mass.z))
             rows += [(f"{symbol}_{{{name}}}", value) for symbol, value in (*sizes, *places)]
-            rows += mass.own(name, self.disc)
+            rows += self.disc.unlike(name, mass.thickness, mass.density) if mass.removed else ()
         rows += [("b", self.disc.b), ("ρ", self.disc.density)]
         for end, plane in self.planes.items():
             rows += [(f"z_{{b{end}}}", plane.z), (f"r_{{b{end}}}", plane.r), (f"d_{{b{end}}}", plane.drill)]

@@ -32,17 +32,16 @@ def motion_told(follower: Follower, pieces: Sequence[Piece], *, clockwise: bool)
 
 
 _KNIFE, _ROLLER, _FLAT = Words("尖顶", "knife-edge"), Words("滚子", "roller"), Words("平底", "flat-faced")
-_NO_SIDE = Words("", "")
 
 
 def _side(follower: Follower) -> Words:
     """On which side of O it is guided, or pivoted."""
+    beside = follower.e if follower.arm is None else follower.arm.sign
+    if not beside:
+        return Words("", "")
+    zh, en = ("右", "right") if beside > 0 else ("左", "left")
     if follower.arm is not None:
-        zh, en = ("右", "right") if follower.arm.sign > 0 else ("左", "left")
         return Words(f"（转轴 $A$ 在 $O$ {zh}侧）", f", pivoted at $A$ to the {en} of $O$,")
-    if not follower.e:
-        return _NO_SIDE
-    zh, en = ("右", "right") if follower.e > 0 else ("左", "left")
     return Words(f"（导路在 $O$ {zh}侧）", f", guided to the {en} of $O$,")
 
 

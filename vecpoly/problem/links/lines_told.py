@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
-from math import degrees
+from math import degrees, radians
 
 from ...units.reading import Dim, read
 from ...words import Words
 from ..problem import Shape
 from ..text.source import Value
+from ..values.leaning import at_angle
 from .draft import ANGLE_FROM, Draft, Line
 
 _ON_LINE = 1e-9  # of a distance: how far beside a line a point of it may lie
@@ -23,6 +24,7 @@ _LINES = {
 }
 _OWN = {Shape.SLOT: Words("导槽中线", "the slot's line"), Shape.ROD: Words("杆的中线", "the rod's line")}
 _GUIDE = Words("其导路", "its guide")
+_SIDES = {True: Words("左", "left"), False: Words("右", "right")}  # whether it is on the left
 
 
 def note_lines(draft: Draft, data: Mapping[str, Value]) -> None:
@@ -39,59 +41,50 @@ def note_lines(draft: Draft, data: Mapping[str, Value]) -> None:
 def _told(draft: Draft, key: str, line: Line, given: Mapping[str, str]) -> Words | None:
     """How it runs; None where it runs along a ray of its link through its letter, or is a face square to a guide."""
     letter, m = line.through, ANGLE_FROM.fullmatch(given.get("angle", ""))
-    side, distance = _beside(given)
+    left, distance = _beside(given)
     turn = degrees(read(m[1], Dim.ANGLE).si) if m else 0.0
     if m is None or turn % _HALF == 0.0:
         ahead = m[2] if m else letter + _ahead(draft, letter, cmath.exp(1j * line.direction))
-        return _parallel(letter, ahead, distance, (side == "left") is (turn % 360 == 0.0)) if side else None
-    ray = _GUIDE if m[2] == "line" else Words.same(f" ${m[2]}$")
-    if turn % _HALF == _RIGHT and key == "face" and m[2] == "line" and not side:
+        return _parallel(letter, ahead, distance, _SIDES[left is (turn % 360 == 0.0)]) if distance else None
+    on_guide, square = m[2] == "line", turn % _HALF == _RIGHT
+    if square and on_guide and key == "face" and not distance:
         return None
-    how = _perpendicular(ray) if turn % _HALF == _RIGHT else _leaning(ray, turn)
-    return how + (_aside(letter, distance, left=side == "left") if side else Words("", ""))
+    ray = _GUIDE if on_guide else Words(f" ${m[2]}$ ", f"${m[2]}$")
+    how = Words(f"与{ray.zh}垂直", f" is perpendicular to {ray.en}") if square else _leaning(ray, turn)
+    return how + (_aside(letter, distance, _SIDES[left]) if distance else Words("", ""))
 
 
-def _beside(given: Mapping[str, str]) -> tuple[str, str]:
-    """On which side it passes its letter, and how far; nothing where it goes through it."""
-    for side, other in (("left", "right"), ("right", "left")):
-        if side in given and (si := read(given[side], Dim.LENGTH).si):
-            return (side, given[side]) if si > 0 else (other, given[side].lstrip("-− "))
-    return "", ""
+def _beside(given: Mapping[str, str]) -> tuple[bool, str]:
+    """Whether it passes its letter on the left, and how far; no distance where it goes through it."""
+    for key in ("left", "right"):
+        if key in given and (si := read(given[key], Dim.LENGTH).si):
+            return (key == "left") is (si > 0), given[key].lstrip("-− ")
+    return False, ""
 
 
-def _parallel(letter: str, ahead: str, distance: str, left: bool) -> Words:
-    zh, en = ("左", "left") if left else ("右", "right")
+def _parallel(letter: str, ahead: str, distance: str, side: Words) -> Words:
     if ahead == letter:
-        return Words(f"在 ${letter}$ {zh}侧 {distance}", f" lies {distance} to the {en} of ${letter}$")
+        return Words(f"在 ${letter}$ {side.zh}侧 {distance}", f" lies {distance} to the {side.en} of ${letter}$")
     if ahead == "line":
         return Words(
-            f"与{_GUIDE.zh}平行，在 ${letter}$ {zh}侧 {distance}",
-            f" is parallel to {_GUIDE.en}, {distance} to the {en} of ${letter}$",
+            f"与{_GUIDE.zh}平行，在 ${letter}$ {side.zh}侧 {distance}",
+            f" is parallel to {_GUIDE.en}, {distance} to the {side.en} of ${letter}$",
         )
     return Words(
-        f"与 ${ahead}$ 平行，在有向线 ${ahead}$ {zh}侧 {distance}",
-        f" is parallel to ${ahead}$, {distance} to the {en} of it",
+        f"与 ${ahead}$ 平行，在有向线 ${ahead}$ {side.zh}侧 {distance}",
+        f" is parallel to ${ahead}$, {distance} to the {side.en} of it",
     )
-
-
-def _perpendicular(ray: Words) -> Words:
-    return Words(f"与{ray.zh} 垂直", f" is perpendicular to {ray.en.strip()}")
 
 
 def _leaning(ray: Words, turn: float) -> Words:
     turn = (turn + _HALF) % 360 - _HALF
-    way = Words("逆时针", "counter-clockwise") if turn > 0 else Words("顺时针", "clockwise")
-    size = f"{round(abs(turn), 9):.10g}°"
-    return Words(
-        f"与{ray.zh} 成 {size}（由后者{way.zh}量）", f" is at {size} to {ray.en.strip()}, {way.en} from the latter"
-    )
+    return Words("", " is ") + at_angle(f"{round(abs(turn), 9):.10g}°", radians(turn), ray)
 
 
-def _aside(letter: str, distance: str, *, left: bool) -> Words:
-    zh, en = ("左", "left") if left else ("右", "right")
+def _aside(letter: str, distance: str, side: Words) -> Words:
     return Words(
-        f"，沿此方向看在 ${letter}$ {zh}侧 {distance}",
-        f", and passes {distance} to the {en} of ${letter}$, seen in this direction",
+        f"，沿此方向看在 ${letter}$ {side.zh}侧 {distance}",
+        f", and passes {distance} to the {side.en} of ${letter}$, seen in this direction",
     )
 
 

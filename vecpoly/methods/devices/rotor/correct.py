@@ -85,10 +85,10 @@ _TWO = Words(
 def _size_of_hole(bench: Bench, rotor: Rotor, end: str, each: Quantity, plane: RotorPlane) -> None:
     assert plane.b is not None and plane.density is not None and plane.hole is not None
     unit, named = rotor.weighing, hole_size(end, plane.through)
-    (b, thick), (dense, other) = rotor.disc.unlike(f"b{end}", plane.b, plane.density)
-    rho = density("ρ" if other is None else dense, plane.density.si, unit)
+    b, dense = rotor.disc.symbols(f"b{end}", plane.b, plane.density)
+    rho = density(dense, plane.density.si, unit)
     if plane.through:
-        deep = magnitude("b" if thick is None else b, plane.b.si * 1e3, "mm")
+        deep = magnitude(b, plane.b.si * 1e3, "mm")
         value = np.sqrt(each.value / (QUARTER * deep * rho).value)
         check_holes(plane, float(nominal(value)) / 1e3)
         bench.stated(named, value, _root(named.symbol, each, deep, rho))
