@@ -10,7 +10,7 @@ import numpy as np
 
 from .answer import Answer
 from .board.construction import LineOfAction, Reading
-from .board.hand import scatter
+from .board.hand import scatter, seldom
 from .board.ruler import READABLE
 from .check.alarm import Weighed, alarm_at
 from .check.precision import NOTHING, settled
@@ -34,7 +34,7 @@ def answers_of(
     read, exact, spread = comparable(readings, task.truth.values, drawn.repeats, places)
     ideal, true, _ = comparable({key: drawn.ideal[key] for key in readings}, task.truth.values, {}, places)
     for key, reading in read.items():
-        reached = _expected(spread[key])
+        reached = max(_expected(spread[key]), _rounded(drawn.ideal[key], drawn.construction.hand))
         limit = alarm_at(reached, spread[key], scatters=scatters)
         weighed = _weighed(
             reading,
@@ -78,6 +78,11 @@ def _expected(scalars: Any) -> float:
     found = repeated[1:] if repeated.ndim else repeated[None]  # all hands find the same
     found = found[np.isfinite(found)]
     return 3.0 * scatter(found) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
+
+
+def _rounded(ideal: Reading, hand: str) -> float:
+    """3σ of the rounding alone, where the repeated hands may all have read the same line of the rule."""
+    return 3.0 * seldom(hand, ideal.mm) * abs(ideal.scalar / ideal.mm) if ideal.mm else 0.0
 
 
 def vanishes(weighed: Weighed) -> bool:

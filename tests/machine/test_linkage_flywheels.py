@@ -13,11 +13,12 @@ from tests.laws import often
 from tests.machine.engines import DATA, PRESS, SHAPER, engine, machine
 from vecpoly.check.precision import noise, sizes
 from vecpoly.check.truth import exact_values, truth_of
-from vecpoly.errors import EquilibriumError
+from vecpoly.errors import EquilibriumError, NoMethodError
 from vecpoly.oracle.machine.course import course
 from vecpoly.oracle.machine.steady import evenness, with_flywheel
 from vecpoly.problem.load import loads
 from vecpoly.problem.problem import Problem
+from vecpoly.solution import solve
 
 KEYS = ("J_e", "M_e", "M_d", "dW_max", "J_F", "J_F_areas", "phi_max", "phi_min", "omega_max", "omega_min")
 CASES = {"B07": (PRESS, "n: 120 r/min"), "B09": (SHAPER, "n: 60 r/min")}
@@ -141,3 +142,32 @@ def test_a_machine_of_even_speed_has_no_fastest_place(masses: str) -> None:
     assert exact_values(loads(even.replace("[phi_max]", "[M_d]")))["M_d"] == pytest.approx(10)
     pulled = even.replace("M_r: ", "F: {on: 3, at: C, size: 1 N, direction: 0 deg}, M_r: ")
     assert exact_values(loads(pulled))["phi_max"] == pytest.approx(0, abs=0.01)  # outermost
+
+
+RATED = (
+    "F_s: {spring: A-C3, k: 1 N/mm, l_0: 200 mm, c: 90 N*s/m}",
+    "F_d: {damper: A-C3, c: 90 N*s/m}",
+    "M_f: {damper: 3-4, c: 2 N*m*s}",
+    "M_m: {on: 1, motor: [60 N*m, 3 N*m*s], role: driving}",
+)
+
+
+@pytest.mark.parametrize("load", RATED)
+@pytest.mark.parametrize("asked", ["dW_max", "M_d"])
+def test_a_load_that_depends_on_the_speed_is_refused_over_a_period_by_both(load: str, asked: str) -> None:
+    if load.startswith("M_m") and asked == "M_d":
+        pytest.skip("a motor has the place of the constant moment")
+    held = "M_d: {on: 1, size: constant, role: driving}"
+    text = PRESS.replace(held, load if load.startswith("M_m") else f"{held}\n      {load}")
+    problem = machine(text, (asked,), "n: 120 r/min, delta: 0.05")
+    name = load[:3]
+    for found in (exact_values, lambda one: solve(one, repeats=0, precise=False)):
+        with pytest.raises(EquilibriumError, match=f"{name} depends on the speed"):
+            found(problem)
+
+
+def test_the_unevenness_that_is_given_is_not_drawn_and_where_to_find_it_is_said() -> None:
+    problem = machine(PRESS, ("M_d", "delta"), "n: 120 r/min, delta: 0.05")
+    assert exact_values(problem)["delta"] == pytest.approx(0.05)
+    with pytest.raises(NoMethodError, match=r"delta = 0\.05 is given.*vecpoly exact"):
+        solve(problem, repeats=0, precise=False)

@@ -42,6 +42,7 @@ class Skill:
     planimeter: float
 
 
+ON_LINE, BY_LINE = 1e-6, 0.035  # of a division: rounding of numbers; of 200 hands none reads another line, in 1 of 1000
 EXACT = Skill(reading=0, protractor=0, dividers=0, square=0, squares=0, whole=0, planimeter=0)
 _DRAFTING = Skill(
     reading=0.1,
@@ -161,6 +162,14 @@ def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
     whole_number("seed", seed, 0, SEED)
     first, others = _SKILLS[name]
     return Hand(name, first, others, repeats, np.random.Generator(np.random.PCG64(seed)))
+
+
+def seldom(name: HandName | str, mm: float) -> float:
+    """σ (mm) of the rounding of a length that lies so near a line of the rule that of some hundred hands perhaps none
+    reads another: p of a division beside it one of 1/p does, and σ is √(p (1 − p)) divisions. 0 of any other length."""
+    step = _SKILLS[name][1].reading
+    beside = abs(mm / step - round(mm / step))
+    return step * (beside * (1 - beside)) ** 0.5 if ON_LINE < beside < BY_LINE else 0.0
 
 
 def scatter(found: NDArray[Any]) -> float:

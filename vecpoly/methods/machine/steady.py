@@ -6,6 +6,7 @@ import numpy as np
 
 from ...errors import EquilibriumError, NoMethodError
 from ...mechanism.asked.machine import DELTA, constant_of
+from ...mechanism.laws.rated import refuse_rated
 from ...mechanism.machine import Machine, Steady
 from ...problem.problem import Problem
 from ...words import Words
@@ -29,6 +30,9 @@ def draw_steady(desk: Desk, problem: Problem, machine: Machine, run: Steady) -> 
     asked = {ask.rel.key for ask in problem.asks}
     if run.delta is None:
         raise _no_iteration()
+    if DELTA.key in asked:
+        raise _given(run.delta)
+    refuse_rated(machine.loads)
     curve = french(desk.mech, machine.loads)
     _refuse_change(curve, machine)
     period = period_of(desk, run, curve, machine.loads)
@@ -78,6 +82,17 @@ def _no_iteration() -> NoMethodError:
             "J_F，或用 vecpoly exact",
             f"no graphical method on file finds {DELTA.key} from a flywheel that is there (the slopes of the tangents "
             "depend on the speeds sought); give delta and ask J_F, or use 'vecpoly exact'",
+        ),
+        code="no-method",
+    )
+
+
+def _given(delta: float) -> NoMethodError:
+    return NoMethodError(
+        Words(
+            f"题目已给出 {DELTA.key} = {delta:g}，图解法由它求 J_F；机器实际的不均匀系数请用 vecpoly exact 求",
+            f"{DELTA.key} = {delta:g} is given, and the drawing finds J_F from it; how uneven the machine is then "
+            "tells 'vecpoly exact'",
         ),
         code="no-method",
     )

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from ...mechanism.asked.machine import STEADY, at_rest, equivalent_of, machine_quantities, reduced_quantities
+from ...mechanism.laws.rated import refuse_rated
 from ...mechanism.machine import Machine
 from ...mechanism.model import Mechanism
 from ..forces.laws.period import constant_size
@@ -18,12 +19,15 @@ from .steady import one_place, steady_values
 def machine_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> dict[str, float]:
     """Key → exact value of what is asked of the machine (SI; angles in degrees).
 
-    Raises AssemblyError, DeadPointError; DeadPointError too where the link rests on which all is to be thought.
+    Raises AssemblyError, EquilibriumError, DeadPointError; the last too where the link rests on which all is to be
+    thought.
     """
     asked, known = tuple(keys), reduced_quantities(mech)
     reduced = reduce(mech, machine.loads)
     found = {key: _equivalent(reduced, key) for key in asked if key in known}
     if (constant := machine.loads.constant) is not None and constant.name in asked:
+        if machine.steady is not None:
+            refuse_rated(machine.loads)
         found[constant.name] = constant_size(mech, machine.loads)
     if machine.steady is not None and {named.key for named in STEADY} & set(asked):
         one_place(mech, machine, asked)

@@ -10,7 +10,7 @@ from numpy.polynomial import legendre
 
 from ...errors import EquilibriumError
 from ...foundation.slotted import replace
-from ...mechanism.laws.sizes import Motor
+from ...mechanism.laws.rated import refuse_rated
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...words import Words
@@ -109,8 +109,7 @@ def _cuts(mech: Mechanism, loads: Loads, sense: float) -> Reals:
     low, high, whole = drive_range(mech)
     if mech.drive.slide or not whole:
         raise EquilibriumError(_rocks(mech, low, high), code="no-period", numbers={"low": low, "high": high})
-    if motors := [one.name for one in loads.all if one.law is not None and isinstance(one.law.size, Motor)]:
-        raise EquilibriumError(_knows_speed(motors[0]), code="speed")
+    refuse_rated(loads)
     high = low + 2 * np.pi * turns_of(mech, loads, low)
     even = np.linspace(low, high, round((high - low) / PIECE) + 1)
     cuts = np.unique(np.concatenate([even, corners(mech, loads)]))
@@ -126,14 +125,6 @@ def _rocks(mech: Mechanism, low: float, high: float) -> Words:
         "仍可求某一位置的 J_e、M_e，或由 start 求运动",
         f"the drive {mech.drive.link} makes no whole turns (it moves between {a} and {b} only), and there is no period "
         "of steady motion; J_e and M_e at a position can be asked, or the motion from a start",
-    )
-
-
-def _knows_speed(name: str) -> Words:
-    return Words(
-        f"{name} 随转速变化，盈亏功与转速有关；请用 machine: {{start: ..., until: steady}} 求真实运动",
-        f"{name} depends on the speed, and so does the surplus of work; ask for the true motion with machine: "
-        "{start: ..., until: steady}",
     )
 
 
