@@ -153,3 +153,12 @@ def test_works_that_add_up_leave_no_misreading_and_a_ratio_is_not_told_twice() -
     assert any(line.startswith("ω_2/ω_1 = (1.13") for line in lines)
     parts = [line.split(" = ") for line in lines]
     assert not any(one == two for line in parts for one, two in pairwise(line))
+
+
+def test_the_flywheel_of_a_linkage_without_masses_can_be_read() -> None:
+    bare = PRESS[: PRESS.index("    masses:")] + PRESS[PRESS.index("    loads:") :]
+    found = vecpoly.solve(machine(bare, ("dW_max", "J_F", "J_F_areas"), "n: 120 r/min, delta: 0.05"))
+    one, by_areas = found.answers["J_F"], found.answers["J_F_areas"]
+    assert one.exact == pytest.approx(by_areas.exact)
+    assert found.construction.warning is None
+    assert one.expected_error < 0.1 * one.exact  # its tangents were all but parallel to the axis that they cut

@@ -1,4 +1,4 @@
-"""A pure number may be a fraction, as textbooks write δ = 1/50."""
+"""A pure number may be a fraction or told in per cent, as textbooks write δ = 1/50 and η = 92 %."""
 
 from __future__ import annotations
 
@@ -16,7 +16,15 @@ def test_a_fraction_is_a_pure_number(text: str, value: float) -> None:
     assert pure(text, "0.15") == pytest.approx(value, rel=1e-15)
 
 
-@pytest.mark.parametrize("text", ["1/0", "1/2/3", "1/", "/2", "1/-2", "1/2 mm", "a/b"])
+SHARES = [("92 %", 0.92), ("5%", 0.05), ("-0.5 %", -0.005), ("5 ％", 0.05)]
+
+
+@pytest.mark.parametrize(("text", "value"), SHARES)
+def test_so_many_per_cent_are_a_pure_number(text: str, value: float) -> None:
+    assert pure(text, "0.15") == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize("text", ["1/0", "1/2/3", "1/", "/2", "1/-2", "1/2 mm", "a/b", "%", "5 % %", "1/50 %"])
 def test_what_is_no_fraction_of_two_numbers_is_refused(text: str) -> None:
     with pytest.raises(FaultError, match="no pure number"):
         pure(text, "0.15")

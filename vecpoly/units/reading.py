@@ -182,8 +182,10 @@ def not_negative(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
 
 
 def pure(text: object, example: str) -> float:
-    """A finite number without a unit, or a fraction of two, 1/50; raises FaultError."""
-    above, below = m.groups() if (m := _FRACTION.fullmatch(str(text))) else (str(text), "1")
+    """A finite number without a unit, a fraction of two, 1/50, or so many per cent, 5 %; raises FaultError."""
+    bare = str(text).strip()
+    whole, below = (bare[:-1], "100") if bare.endswith(("%", "％")) else (bare, "1")
+    above, below = m.groups() if (m := _FRACTION.fullmatch(bare)) else (whole, below)
     try:
         number = float(above.replace("−", "-")) / float(below)
     except (ValueError, ZeroDivisionError):

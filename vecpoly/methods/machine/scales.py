@@ -33,18 +33,21 @@ class Sizes:
     pole: float
 
 
-def sizes_of(curve: French, given: Scales, heights: tuple[float, float], swing: float, reach: float = 0.0) -> Sizes:
+def sizes_of(
+    curve: French, given: Scales, heights: tuple[float, float], swing: float, *, speed: float = 1.0, reach: float = 0.0
+) -> Sizes:
     """As given, or round ones; heights: least and greatest moment on the diagram; swing: of the energy (J); reach: the
-    energies (J) that stand one over the other on the loop's figure."""
+    energies (J) that stand one over the other on the loop's figure; speed: the mean one (rad/s), at which tangents of
+    a linkage without masses stand at about 45°."""
     turned = TORQUE.across and given.of(TORQUE.across)
     across = turned or fitting(curve.period / WIDE)
     moment = given.of(TORQUE.mu) or fitting((max(heights[1], 0.0) - min(heights[0], 0.0)) / HIGH)
     most = max(curve.inertia(float(psi)) for psi in np.linspace(0.0, curve.period, 73))
-    inertia = given.of(INERTIA.mu) or fitting(most / LOW)
     least = max(swing / BAR, reach / TALL)
     pole = next((h for h in POLES[::-1] if h * moment * across >= least), POLES[0])
-    mass = given.of(INERTIA.mu) or fitting(most / LOOP)
     energy, bar = pole * moment * across, fitting(swing / BAR)
+    massless = 2.0 * energy / speed**2
+    inertia, mass = (given.of(INERTIA.mu) or fitting(most / wide or massless) for wide in (LOW, LOOP))
     alike = bar <= energy <= ALIKE * bar and isclose(energy, round_up(energy))
     return Sizes(
         torque=Scale.of(TORQUE, moment, across),

@@ -43,7 +43,9 @@ def draw_steady(desk: Desk, problem: Problem, machine: Machine, run: Steady) -> 
     looped = bool(asked & {"J_F", "phi_max", "phi_min", "omega_max", "omega_min"})
     contacts = contacts_of(period)
     reach = reach_of(period, contacts) if looped else 0.0
-    sizes = sizes_of(curve, problem.scales, (min(heights), max(abs(curve.mean), *heights)), swing, reach)
+    sizes = sizes_of(
+        curve, problem.scales, (min(heights), max(abs(curve.mean), *heights)), swing, speed=run.speed, reach=reach
+    )
     board = desk.board
     board.section(POSITIONS)
     draw_positions(period, sizes)
