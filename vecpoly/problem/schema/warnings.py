@@ -1,5 +1,5 @@
-"""What is accepted but hardly meant: `phi: 75 rad`, a coefficient of friction above 1.
-Told, with its place, and not refused."""
+"""What is accepted but hardly meant: `phi: 75 rad`, a coefficient of friction above 1; what changes nothing: a question
+that is put twice, a gate of no variants. Told, with its place, and not refused."""
 
 from __future__ import annotations
 
@@ -20,7 +20,23 @@ _COEFFICIENT = pattern(r"f\d*|f_\w+")
 
 def warnings_of(tree: Tree) -> tuple[Words, ...]:
     """Everything in the file that looks like a slip, in its order."""
-    return tuple(_placed(tree, path, said) for path, text in _scalars(tree.data, ()) for said in _slips(path, text))
+    slips = ((path, said) for path, text in _scalars(tree.data, ()) for said in _slips(path, text))
+    return tuple(_placed(tree, path, said) for path, said in (*slips, *_needless(tree)))
+
+
+def _needless(tree: Tree) -> Iterator[tuple[Path, Words]]:
+    """What might as well not stand there."""
+    find = tree.data.get("find")
+    for i, one in enumerate(find if isinstance(find, list) else ()):
+        if isinstance(find, list) and isinstance(one, str) and one in find[:i]:
+            said = Words(f"{one} 问了两次；可以删去其一", f"{one} is asked twice; one may be left out")
+            yield ("find", i), said
+    if tree.data.get("gate") and not tree.data.get("vary"):
+        said = Words(
+            "没有 vary，数据不因人而异，gate 不起作用；可以删去",
+            "without 'vary' there are no variants, and the gate decides nothing; it may be left out",
+        )
+        yield ("gate",), said
 
 
 def _scalars(value: Value, path: Path) -> Iterator[tuple[Path, str]]:

@@ -49,7 +49,8 @@ def respelled(tree: Tree, base: Tree | None = None) -> Tree:
 def _renamed(tree: Tree, base: Tree | None, faults: Faults) -> Iterator[tuple[Path, str]]:
     """The keys that have another name here, by their paths."""
     whole = {**(base.data if base is not None else {}), **tree.data}
-    for part, names in OTHER_KEYS.items():
+    for part, own in OTHER_KEYS.items():
+        names = {**own, **_of_drives(whole.get("input"))} if part == "vary" else own
         speeds = part != "vary" or ("input" in whole and "machine" not in whole)  # n of a device, a machine, is its own
         for path, mapping in _mappings(tree.data.get(part), (part,)):
             taken = dict(zip(mapping, mapping, strict=True))
@@ -57,6 +58,12 @@ def _renamed(tree: Tree, base: Tree | None, faults: Faults) -> Iterator[tuple[Pa
                 if key in names and (speeds or key != "n"):
                     yield (*path, key), names[key]
                     _refuse_twice((*path, key), taken.setdefault(names[key], key), faults)
+
+
+def _of_drives(inputs: Value) -> dict[str, str]:
+    """Of several drives each has its own: n_4 is omega_4."""
+    links = [one.get("link") for one in inputs if isinstance(one, dict)] if isinstance(inputs, list) else []
+    return {f"{name}_{link}": f"{key}_{link}" for link in links for name, key in _MOTION.items()}
 
 
 def _mappings(value: Value, path: Path) -> Iterator[tuple[Path, dict[str, Value]]]:
