@@ -26,6 +26,14 @@ def test_a_question_that_is_put_twice_is_told(more: str) -> None:
     assert "v_C is asked twice" in told(more)
 
 
+@pytest.mark.parametrize(
+    "find", ["v_C, omega_2, v_C", "P_13, centres, v_C", "centres, P_14, P_13", "v_C, ω_2, omega_2"]
+)
+def test_and_is_answered_once(find: str) -> None:
+    asked = [ask.rel.key for ask in vecpoly.loads(FILE + f"find: [{find}]\n").asks]
+    assert len(asked) == len(set(asked))
+
+
 def test_questions_that_differ_are_none_that_is_put_twice() -> None:
     assert told("find: [v_C, a_C, {point: X2, on: 2, velocity: 0}, {point: Y2, on: 2, velocity: 0}]\n") == ""
 

@@ -187,7 +187,7 @@ def _wanted(
             printed.append(as_given(entry, _known(entry.symbol, named, sort)))
     with faults.at("scales"):
         scales = read_scales(spec.scales)
-    return tuple(asks), tuple(printed), scales
+    return tuple(dict.fromkeys(asks)), tuple(printed), scales
 
 
 def _sought(subject: Subject) -> list[str]:

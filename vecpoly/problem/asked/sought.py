@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...errors import FaultError
 from ...mechanism.asked.centres import centre_quantities
 from ...mechanism.asked.counterweights import counterweight_quantities
@@ -68,8 +70,13 @@ def read_wanted(
         scales = read_scales(spec.scales)
         plottable(scales, mechanism)
     clean = not faults.found
-    curvature = curvature_of(spec, mechanism, tuple(asks), centrodes, faults) if clean else None
-    return tuple(asks), curvature, tuple(printed), scales
+    curvature = curvature_of(spec, mechanism, _once(asks), centrodes, faults) if clean else None
+    return _once(asks), curvature, tuple(printed), scales
+
+
+def _once(asks: Sequence[Ask]) -> tuple[Ask, ...]:
+    """Each question once, P_13 beside all centres too."""
+    return tuple(dict.fromkeys(asks))
 
 
 def _hung(mechanism: Mechanism, weighed: Counterweights | None) -> dict[str, Named]:
