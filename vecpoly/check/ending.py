@@ -13,4 +13,4 @@ def ending_of(problem: Problem) -> Words | None:
         return None
     from ..oracle.machine import ending, motion_of
 
-    return ending(motion_of(problem.mechanism, machine))
+    return ending(motion_of(problem.mechanism, machine), problem.mechanism.drive.lead)

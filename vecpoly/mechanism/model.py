@@ -53,13 +53,25 @@ class Link:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ToldRay:
+    """How the angle of a drive is told where that is not the direction of its link's x axis: as the angle of the ray
+    from the pivot to the point `to`, which lies at `lean` to the link's x axis, from the line `line` of the frame (the
+    x axis where it is empty), which lies at `zero` to the x axis (rad)."""
+
+    to: str
+    lean: float
+    line: str
+    zero: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
     """The input: link `link` turns about its pivot on the link `on`,
     or slides along their guide (`slide`); `on` is the frame as a rule.
 
     position: angle of the link's x axis from that of `on` (rad), or travel of the pin of their sliding pair along the
     guide from the guide's origin (m; between two moving links the length of a cylinder); rate: ω (rad/s) or v (m/s),
-    relative to `on`; accel: α (rad/s²) or a (m/s²), likewise.
+    relative to `on`; accel: α (rad/s²) or a (m/s²), likewise. ray: how the angle is told where that is another.
     """
 
     link: str
@@ -68,6 +80,17 @@ class Drive:
     accel: float = 0.0
     slide: bool = False
     on: str = FRAME
+    ray: ToldRay | None = None
+
+    @property
+    def zero(self) -> float:
+        """The direction from which its angle is told to count (rad)."""
+        return self.ray.zero if self.ray is not None else 0.0
+
+    @property
+    def lead(self) -> float:
+        """By how much its position is ahead of what is told of it (rad)."""
+        return self.ray.zero - self.ray.lean if self.ray is not None else 0.0
 
     @property
     def between(self) -> bool:

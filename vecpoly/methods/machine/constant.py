@@ -50,6 +50,7 @@ def _say_positions(period: Period) -> None:
             f"In {count} equal positions of the driving link draw the velocity polygon; the powers give the equivalent "
             "moment $M_e$ of the given loads (counter-clockwise positive), which the table lists.",
         )
+        + period.beginning
     )
     step = period.curve.period / count
     angles = column([period.degrees(step * k) for k in range(count)])

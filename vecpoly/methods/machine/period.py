@@ -16,6 +16,7 @@ from ...mechanism.loads import Loads
 from ...mechanism.machine import Steady
 from ...names import Named
 from ...plane import Reals, nominal
+from ...words import Words
 from ..desk import Desk
 from .french import French
 from .turn import Station, drawn, station
@@ -30,7 +31,8 @@ class Period:
     """run: None where only the constant moment is sought. read: the stations as this hand drew them, in the order of ψ
     from 0 on, the last at the end of the period; that of the given position tells what the steps before came to.
 
-    moments, inertias: what this hand read there over what an exact hand reads; between them in proportion.
+    moments, inertias: what this hand read there over what an exact hand reads; between them in proportion. lead: by how
+    much the drive's angle is ahead of what is told of it (rad).
     """
 
     board: Board
@@ -39,6 +41,7 @@ class Period:
     read: tuple[Station, ...]
     moments: Factors
     inertias: Factors
+    lead: float = 0.0
 
     def moment(self, psi: float, *, before: bool = False) -> Reals:
         """M of the given loads (N·m), positive where it drives."""
@@ -53,9 +56,16 @@ class Period:
         return self._between(self.moments, psi)
 
     def degrees(self, psi: float) -> float:
-        """The drive's angle there, within the period."""
+        """The drive's angle there as the problem tells it, within the period."""
         whole = np.degrees(self.curve.period)
-        return float(np.round(np.degrees(self.curve.sense * psi) % whole, 10) % whole)
+        return float(np.round(np.degrees(self.curve.sense * psi - self.lead) % whole, 10) % whole)
+
+    @property
+    def beginning(self) -> Words:
+        """Where the diagrams begin, if that is not 0°."""
+        if not (first := self.degrees(0.0)):
+            return Words.same("")
+        return Words(f"各线图自 $φ$ = {first:.6g}° 画起。", f" The diagrams begin at $φ$ = {first:.6g}°.")
 
     def _between(self, factors: Factors, psi: float) -> Reals:
         step = self.curve.period / (len(factors) - 1)
@@ -75,7 +85,15 @@ def period_of(desk: Desk, run: Steady | None, curve: French, loads: Loads) -> Pe
     moments = _over([one.moment for one in read], [one.moment for one in exact])
     inertias = _over([one.inertia for one in read], [one.inertia for one in exact])
     told = [_as_found(desk, one, curve.period) for one in read]
-    return Period(board=desk.board, run=run, curve=curve, read=(*told, told[0]), moments=moments, inertias=inertias)
+    return Period(
+        board=desk.board,
+        run=run,
+        curve=curve,
+        read=(*told, told[0]),
+        moments=moments,
+        inertias=inertias,
+        lead=desk.mech.drive.lead,
+    )
 
 
 def _as_found(desk: Desk, one: Station, period: float) -> Station:

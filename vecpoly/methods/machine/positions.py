@@ -28,7 +28,8 @@ def draw_positions(period: Period, sizes: Sizes) -> None:
             f"In {count} equal positions of the driving link draw the velocity polygon in the same way; $J_e$, and "
             "$M_e$ of the given loads (counter-clockwise positive), are in the table. Plot $J_e$ versus $φ$ to the "
             "scales $μ_J$ and $μ_φ$.",
-        ),
+        )
+        + period.beginning,
         pane,
     )
     board.tabulate(_table(period))

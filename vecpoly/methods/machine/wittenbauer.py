@@ -176,7 +176,9 @@ def _places(period: Period, energies: Energies, contacts: tuple[Contact, Contact
         foot = energies.at(one.psi).real + 0j
         mm = board.measure(0j, foot, f"O {named.key[-3:]}")
         turned: Reals = np.degrees(mm.value * mu.value)
-        value = turned if period.curve.sense > 0 else (whole - turned)
+        value = (turned if period.curve.sense > 0 else whole - turned) - np.degrees(period.lead)
+        if period.lead:  # within the period, all hands alike
+            value = value - whole * np.floor(shown(value) / whole)
         board.keep(
             Reading(key=named.key, symbol=named.symbol, unit="deg", scalar=shown(value), mm=shown(mm.value)), value
         )

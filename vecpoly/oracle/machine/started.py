@@ -39,7 +39,7 @@ def started_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
     values = {
         "omega_end": omega if moved.outcome is Outcome.REACHED else 0.0,
         "t_end": t,
-        "phi_end": float(np.degrees(phi)),
+        "phi_end": float(np.degrees(phi - mech.drive.lead)),
         "alpha_0": mover.acceleration(run.phi, run.omega),
         "T_cycle": t if run.turned is None else moved.period,
         "phi_max": _within(fast[0], mover),
@@ -53,28 +53,28 @@ def started_values(mech: Mechanism, machine: Machine, keys: Iterable[str]) -> di
     flow = power_flow(mech, machine.loads, run.phi, run.omega, run.flywheel)
     values |= {f"power_{name}": power for name, power in flow.powers.items()}
     values |= {f"dT_{link}": gain for link, gain in flow.gains.items()}
-    _refuse_missing(moved, run, values, asked)
+    _refuse_missing(moved, run, values, asked, mech.drive.lead)
     return {key: float(values[key]) for key in asked if key in values}
 
 
 def _within(phi: float, mover: Mover) -> float:
-    """Degrees within the period, or within a turn where there is none."""
+    """Degrees as the problem tells the drive's angle, within the period, or within a turn where there is none."""
     turn = 360.0 * mover.loads.turns
-    return float(np.degrees(phi) % (np.degrees(mover.period) if mover.range[2] else turn))
+    return float(np.degrees(phi - mover.mech.drive.lead) % (np.degrees(mover.period) if mover.range[2] else turn))
 
 
-def _refuse_missing(moved: Moved, run: Started, values: dict[str, float], asked: tuple[str, ...]) -> None:
+def _refuse_missing(moved: Moved, run: Started, values: dict[str, float], asked: tuple[str, ...], lead: float) -> None:
     every = {named.key for way in run.stations for named in at_station(way)}
     if lost := [key for key in asked if (key in every and key not in values) or np.isnan(values.get(key, 0.0))]:
         raise EquilibriumError(
-            Words(f"{lost[0]} 不存在：", f"there is no {lost[0]}: ") + ending(moved), code="not-reached"
+            Words(f"{lost[0]} 不存在：", f"there is no {lost[0]}: ") + ending(moved, lead), code="not-reached"
         )
 
 
-def ending(moved: Moved) -> Words:
-    """How the motion ended: a stall is an answer."""
+def ending(moved: Moved, lead: float = 0.0) -> Words:
+    """How the motion ended: a stall is an answer. lead: of the drive's angle beside what is told of it (rad)."""
     t, phi, omega = moved.end
-    place, when = f"{np.degrees(phi):.5g}°", f"{t:.5g} s"
+    place, when = f"{np.degrees(phi - lead):.5g}°", f"{t:.5g} s"
     match moved.outcome:
         case Outcome.REACHED:
             return Words(
@@ -84,7 +84,7 @@ def ending(moved: Moved) -> Words:
         case Outcome.STALLED:
             return Words(f"机器于 φ = {place} 处停住（t = {when}）", f"the machine stalls at φ = {place} (t = {when})")
         case Outcome.OSCILLATES:
-            ends = " ... ".join(f"{np.degrees(spot):.5g}°" for _, spot in moved.turned[-2:])
+            ends = " ... ".join(f"{np.degrees(spot - lead):.5g}°" for _, spot in moved.turned[-2:])
             return Words(
                 f"机器在 {ends} 之间往复摆动，周期 {moved.period:.5g} s",
                 f"the machine swings to and fro between {ends}, with a period of {moved.period:.5g} s",

@@ -157,7 +157,7 @@ def one_place(mech: Mechanism, machine: Machine, asked: Collection[str]) -> None
     of, found = _found(mech, machine)
     for key, top in ((PHI_MAX.key, found.fastest), (PHI_MIN.key, found.slowest)):
         if key in asked and top.rival is not None:
-            raise equally(key, *sorted((of.degrees(top.psi), of.degrees(top.rival))))
+            raise equally(key, *sorted((_told(mech, of, top.psi), _told(mech, of, top.rival))))
 
 
 @lru_cache(maxsize=32)
@@ -170,8 +170,8 @@ def steady_values(mech: Mechanism, machine: Machine) -> dict[str, float]:
     values = {
         "dW_max": top.value - low.value,
         "J_F": found.flywheel,
-        PHI_MAX.key: of.degrees(found.fastest.psi),
-        PHI_MIN.key: of.degrees(found.slowest.psi),
+        PHI_MAX.key: _told(mech, of, found.fastest.psi),
+        PHI_MIN.key: _told(mech, of, found.slowest.psi),
         "omega_max": found.fastest.value,
         "omega_min": found.slowest.value,
         "delta": found.delta,
@@ -179,6 +179,11 @@ def steady_values(mech: Mechanism, machine: Machine) -> dict[str, float]:
     if run.delta is not None:
         values["J_F_areas"] = flywheel_of(top.value - low.value, run.speed, run.delta)
     return values
+
+
+def _told(mech: Mechanism, of: Course, psi: float) -> float:
+    """The drive's angle there as the problem tells it (deg), within the period."""
+    return float((of.degrees(psi) - np.degrees(mech.drive.lead)) % np.degrees(of.period))
 
 
 def _refuse_even(of: Course, swing: float, speed: float) -> None:

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from ...errors import FaultError
-from ...foundation.indices import LETTER
-from ...foundation.patterns import pattern
 from ...mechanism.model import FRAME, Drive, Joint, Prismatic
 from ...mechanism.travel import travel_words
 from ...names import Kind
@@ -15,14 +13,13 @@ from ...units.reading import Dim, Quantity, read
 from ...words import Words
 from ..asked.asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from ..links.bodies import Bodies
-from ..links.draft import Draft, letters_of
+from ..links.draft import Draft
 from ..problem import Datum, Shape
-from ..schema.faults import meant
 from ..schema.models import InputSpec, ProblemSpec
 from ..values.seen import counted
 from .between import is_between, read_between
+from .rays import placed, ray_of, read_angle
 
-_FROM = pattern(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
 _CCW, _CW = (1.0, Words("逆时针", "counter-clockwise")), (-1.0, Words("顺时针", "clockwise"))
 _TURNS = {
     **dict.fromkeys(("ccw", "counter-clockwise", "counterclockwise", "逆时针"), _CCW),
@@ -136,12 +133,14 @@ def _turning(spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joi
             ),
             code="missing",
         )
-    phi, zero = _angle(spec.phi, bodies.frame)
+    phi, zero, line = read_angle(spec.phi, bodies.frame)
     (rate, told), accel = _rate(draft.name, spec.omega), _read("alpha", spec.alpha, Dim.ALPHA)
-    arm = next((p - draft.points[pivot] for letter, p in draft.points.items() if letter != pivot), 1 + 0j)
-    lean = cmath.phase(arm) if draft.shape in (Shape.BAR, Shape.GEAR) else 0.0  # else x lies along the line
+    to, end = next((one for one in draft.points.items() if one[0] != pivot), ("", draft.points[pivot] + 1))
+    barred = draft.shape in (Shape.BAR, Shape.GEAR)  # else x lies along the line
+    lean = cmath.phase(end - draft.points[pivot]) if barred else 0.0
     name = draft.name
-    data = [Datum(symbol=f"φ_{name}", si=phi.si, text=phi.text), told]
+    ray = ray_of(to if barred else "", lean, line, zero)
+    data = [placed(name, phi, ray), told]
     if spec.alpha is not None:
         data.append(Datum(symbol=f"α_{name}", si=accel.si, text=accel.text))
     if spec.omega in _TURNS and spec.alpha is not None:
@@ -154,33 +153,7 @@ def _turning(spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joi
             "alpha",
         )
     position = phi.si + zero - lean
-    return Drive(link=name, position=position, rate=rate, accel=accel.si), tuple(data)
-
-
-def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
-    """'127 deg from AD' to the angle and the direction from which it counts (else the x axis)."""
-    m = _FROM.fullmatch(text)
-    if m is None:
-        return _read("phi", text, Dim.ANGLE), 0.0
-    first, second = letters_of(m[2])
-    for letter in (first, second):
-        if letter not in frame:
-            raise FaultError(
-                Words(f"点“{letter}”不在机架上", f"point '{letter}' is not on the frame") + meant(letter, frame),
-                "phi",
-                code="unknown-name",
-            )
-    if frame[first] == frame[second]:
-        raise FaultError(
-            Words(
-                f"“{text}”：{first} 与 {second} 位置相同，不能由此量角；请用机架上的另外两点",
-                f"'{text}': {first} and {second} are one place, from which no direction counts; name two points "
-                "of the frame",
-            ),
-            "phi",
-        )
-    zero = cmath.phase(frame[second] - frame[first])
-    return _read("phi", m[1], Dim.ANGLE), zero
+    return Drive(link=name, position=position, rate=rate, accel=accel.si, ray=ray), tuple(data)
 
 
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:

@@ -57,7 +57,7 @@ def read_machine(
         _refuse(spec, mech, loads)
     if spec.machine is not None and not faults.found:
         with faults.at("machine"):
-            run, told = _run(spec.machine)
+            run, told = _run(spec.machine, mech.drive.lead)
     return Machine(loads=known_of(loads or Loads()), run=run), told
 
 
@@ -89,7 +89,8 @@ def _refuse(spec: ProblemSpec, mech: Mechanism, loads: Loads | None) -> None:
         )
 
 
-def _run(spec: MachineSpec) -> tuple[Run, tuple[Datum, ...]]:
+def _run(spec: MachineSpec, lead: float) -> tuple[Run, tuple[Datum, ...]]:
+    """lead: by how much the drive's angle is ahead of what is told of it (rad)."""
     beside = [key for key in ("n", "delta") if getattr(spec, key) is not None]
     if spec.start is None and (spec.until is not None or spec.at):
         raise FaultError(
@@ -104,7 +105,7 @@ def _run(spec: MachineSpec) -> tuple[Run, tuple[Datum, ...]]:
             "start",
             code="contradiction",
         )
-    return _steady(spec) if spec.start is None else _started(spec)
+    return _steady(spec) if spec.start is None else _started(spec, lead)
 
 
 def _steady(spec: MachineSpec) -> tuple[Steady, tuple[Datum, ...]]:
@@ -134,7 +135,7 @@ def _steady(spec: MachineSpec) -> tuple[Steady, tuple[Datum, ...]]:
     return Steady(speed=abs(n.si), delta=delta, flywheel=flywheel), tuple(told)
 
 
-def _started(spec: MachineSpec) -> tuple[Started, tuple[Datum, ...]]:
+def _started(spec: MachineSpec, lead: float) -> tuple[Started, tuple[Datum, ...]]:
     assert spec.start is not None
     phi = _at("start", lambda: read(spec.start.phi, Dim.ANGLE))  # type: ignore[union-attr]
     omega = _at("start", lambda: read(spec.start.omega, Dim.OMEGA))  # type: ignore[union-attr]
@@ -142,7 +143,7 @@ def _started(spec: MachineSpec) -> tuple[Started, tuple[Datum, ...]]:
     wheel = 0.0 if spec.J_F is None else _at("J_F", lambda: not_negative(spec.J_F, Dim.INERTIA)).si
     stations = tuple(_at("at", partial(positive, text, Dim.ANGLE)).si for text in spec.at)
     told = (Datum(symbol="φ_0", si=phi.si, text=phi.text), Datum(symbol="ω_0", si=omega.si, text=omega.text))
-    return Started(phi=phi.si, omega=omega.si, turned=turned, stations=stations, flywheel=wheel), told
+    return Started(phi=phi.si + lead, omega=omega.si, turned=turned, stations=stations, flywheel=wheel), told
 
 
 def _way(text: str) -> float:

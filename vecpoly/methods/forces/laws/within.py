@@ -85,10 +85,11 @@ def _during(at: OffPaper, window: During, *, here: bool) -> Words:
     """φ_1 = 120° within 60° to 150°, or s_1 in mm."""
     drive = at.desk.mech.drive
     unit, mark = (1e3, " mm") if drive.slide else (180 / np.pi, "°")
-    place = float(nominal(at.drive()))
+    place, starts, ends = (float(nominal(size)) - drive.lead for size in (at.drive(), window.low, window.high))
     if here and window.period:
-        place = window.low + (place - window.low) % window.period
-    now, low, high = (f"{number(unit * size)}{mark}" for size in (place, window.low, window.high))
+        shifted = starts + (place - starts) % window.period
+        place = shifted if shifted <= ends else place % window.period  # 60° within 300° to 100°
+    now, low, high = (f"{number(unit * size)}{mark}" for size in (place, starts, ends))
     return Words(
         f"${drive.symbol}$ = {now} {'' if here else '不'}在 {low}～{high} 内",
         f"the position ${drive.symbol}$ = {now} lies {'within' if here else 'outside'} {low} to {high}",

@@ -51,7 +51,7 @@ def _draw(desk: Desk, drive: Drive) -> None:
     pivot = _hinge(desk, drive) if drive.between else desk.crank(drive.link)[0]
     pair = f"{{{drive.link}{drive.on}}}" if drive.between else drive.link
     at = complex(nominal(desk.at[pivot]))
-    radius, taken = _arrow_radius(desk, at), _taken(desk, at, drive.position)
+    radius, taken = _arrow_radius(desk, at), _taken(desk, at, drive)
     for kind, rate in (("ω", drive.rate), ("α", drive.accel)):
         if kind == "ω" or rate:
             middle = _free_side(at, radius, taken)
@@ -76,10 +76,12 @@ def _arrow_radius(desk: Desk, pivot: complex) -> float:
     return next(free, ARROW_RADII[-1])
 
 
-def _taken(desk: Desk, pivot: complex, phi: float) -> Complexes:
+def _taken(desk: Desk, pivot: complex, drive: Drive) -> Complexes:
     """Points of all lines, of the angle mark and of the ground."""
     ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])  # within GROUND
-    mark = pivot + _arrow_radius(desk, pivot) * np.exp(1j * np.linspace(0.0, swept(phi), 18))
+    mark = pivot + _arrow_radius(desk, pivot) * np.exp(
+        1j * (drive.zero + np.linspace(0.0, swept(drive.position - drive.lead), 18))
+    )
     marks = [m for m in desk.board.marks(View.MECHANISM) if isinstance(m, Segment | FixedGuide | Slot)]
     a, b = np.array([m.a for m in marks])[:, None], np.array([m.b for m in marks])[:, None]
     lines = a + (b - a) * np.linspace(0.0, 1.0, 60)

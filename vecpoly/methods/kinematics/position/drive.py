@@ -31,7 +31,7 @@ ON_LINE = 1e-6  # rad: what is as near to φ lies on its line
     title=Words("原动件的位置", "Position of the driving link"),
 )
 def position_crank(desk: Desk, drive: Drive) -> None:
-    """Lay off φ from the x axis at the fixed pivot, then l_AB / μ_l along it."""
+    """Lay off φ from the x axis, or from the line that is told, at the fixed pivot, then l_AB / μ_l along it."""
     link, board = desk.mech.link(drive.link), desk.board
     pivot, others = desk.crank(drive.link)
     board.step(_said(desk, drive, pivot, others), View.MECHANISM)
@@ -42,7 +42,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
         base = desk.place(drive.link, link.points[name])
         desk.letter(name, ahead(base, along, board.hand.carry(0.0)))
     desk.settle_rest(drive.link)
-    if (others or _is_bar(desk, drive)) and not desk.thought and abs(swept(drive.position)) > SEEN:
+    if (others or _is_bar(desk, drive)) and not desk.thought and abs(swept(_told(drive))) > SEEN:
         _angle(desk, pivot, drive, max((abs(desk.mm(abs(link.points[p] - local))) for p in others), default=40.0))
 
 
@@ -86,12 +86,17 @@ def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
             f"以 ${pivot}$ 为圆心、$r_{gear.link}/μ_l$ 为半径作齿轮 {gear.link} 的节圆。",
             f"about ${pivot}$ draw the pitch circle of gear {gear.link} with the radius $r_{gear.link}/μ_l$.",
         )
-    return first + _at_angle(desk, drive, others, f" = {number(math.degrees(drive.position), 5)}°")
+    return first + _at_angle(desk, drive, others, f" = {number(math.degrees(_told(drive)), 5)}°")
+
+
+def _told(drive: Drive) -> float:
+    """φ as the problem tells it (rad): of the ray from the pivot, from the line that is named."""
+    return float(nominal(drive.position)) - drive.lead
 
 
 def _centre_found(desk: Desk, drive: Drive, pivot: str, k: str) -> Words:
     """The cam's own angle is no direction of its centre of curvature, which is found beforehand."""
-    points, phi = desk.mech.link(drive.link).points, f"$φ_{drive.link}$ = {number(math.degrees(drive.position), 5)}°"
+    points, phi = desk.mech.link(drive.link).points, f"$φ_{drive.link}$ = {number(math.degrees(_told(drive)), 5)}°"
     size = f"$l_{pivot}{k}$ = {number(1e3 * abs(points[k] - points[pivot]))} mm"
     return Words(
         f"凸轮 {drive.link} 在 {phi} 时的曲率中心 ${k}$ 已作得（{size}），连 ${pivot}{k}$，为代换机构的"
@@ -105,18 +110,31 @@ def _at_angle(desk: Desk, drive: Drive, others: list[str], phi: str) -> Words:
     """phi: its value as printed; nothing where it was found by trial."""
     pivot, _ = desk.crank(drive.link)
     found, found_en = ("试得的", "the ") if not phi else ("", "")
-    below = phi and nominal(drive.position) < 0  # by its sign alone a reader may not know the side
+    told = drive.ray if phi else None
+    below = phi and _told(drive) < 0  # by its sign alone a reader may not know the side
+    axis = Words(f"${told.line}$", f"${told.line}$") if told and told.line else Words("$x$ 轴", "the $x$ axis")
     line = Words(
-        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi}{'（顺时针）' if below else ''} 的直线",
-        f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to the $x$ axis"
-        f"{' (clockwise)' if below else ''}",
+        f"过固定铰链 ${pivot}$ 作与 {axis.zh} 成{found} $φ_{drive.link}${phi}{'（顺时针）' if below else ''} 的直线",
+        f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to {axis.en}{' (clockwise)' if below else ''}",
     )
+    if told is not None and told.to in others:
+        return _along(desk, drive, pivot, line)
     if others and not (b := stepped_off(desk, drive)):
         return _direction(desk, drive, pivot, line)
     of_link = Words(
         line.zh + f"，为构件 {drive.link}", f"through the fixed pivot ${pivot}$ draw link {drive.link} at " + line.en
     )
     return of_link + (_to_point(desk, drive, pivot, b) if others else Words("。", "."))
+
+
+def _along(desk: Desk, drive: Drive, pivot: str, line: Words) -> Words:
+    """A link whose told direction is that of its ray from the pivot."""
+    assert drive.ray is not None
+    size = f"${pivot}{drive.ray.to} = l_{desk.bar(drive.link, pivot, drive.ray.to)}/μ_l$"
+    return Words(
+        f"{line.zh}，在其上截取 {size}，得构件 {drive.link}。",
+        f"through the fixed pivot ${pivot}$ draw the line at {line.en} and step off {size} on it: link {drive.link}.",
+    )
 
 
 def _direction(desk: Desk, drive: Drive, pivot: str, line: Words) -> Words:
@@ -210,5 +228,6 @@ def _angle(desk: Desk, pivot: str, drive: Drive, reach: float) -> None:
     """Mark the angle φ at the pivot: the arc runs in the sense of the stated value."""
     at = complex(nominal(desk.at[pivot]))
     radius = min(11.0, 0.45 * reach)
-    desk.board.join(View.MECHANISM, at, at + radius + 3.5, Role.CENTRE)
-    desk.board.angle(View.MECHANISM, at, 1 + 0j, swept(drive.position), radius, f"φ_{drive.link}")
+    level = complex(np.exp(1j * drive.zero))
+    desk.board.join(View.MECHANISM, at, at + (radius + 3.5) * level, Role.CENTRE)
+    desk.board.angle(View.MECHANISM, at, level, swept(_told(drive)), radius, f"φ_{drive.link}")
