@@ -10,7 +10,9 @@ import pytest
 
 import vecpoly
 from vecpoly.check.truth import exact_values
+from vecpoly.findings.study.study import study
 from vecpoly.problem.problem import Problem
+from vecpoly.report.course.statement import counted
 
 WAYS = [(bar, lean) for bar in ("AB", "BA") for lean in (0, 35, -160)]
 RUN = "machine: {start: {phi: 30 deg, omega: -1 rad/s}, until: 360 deg, at: [90 deg]}\n"
@@ -74,3 +76,12 @@ def test_the_step_lays_off_the_angle_that_is_given_and_says_from_which_line(bar:
         assert ("$φ_1$ = 60° to $AD$" in said) == (lean != 0 or bar == "BA")
     given = [datum.of("en") for datum in problem.given.motion]
     assert any("from $AD$" in one for one in given) == ("to $AD$" in said)
+
+
+@pytest.mark.parametrize(("bar", "lean", "told"), [("AB", 0, False), ("BA", 0, True), ("AB", 35, True)])
+def test_a_course_report_tells_how_its_angles_count_where_the_problem_counts_otherwise(
+    bar: str, lean: float, told: bool
+) -> None:
+    problem = crank(bar, lean, "M_1, v_C", loads='M_1: {on: 1, size: "?"}, ')
+    found = study(vecpoly.solve(problem, by="exact", repeats=0, precise=False))
+    assert ("the given $φ_1$ = 60° (from $AD$) is" in counted(found).en) == told

@@ -152,7 +152,7 @@ def _beside(
     also: list[float] = []
     for i, text in enumerate(spec.also):
         with faults.at("parts", key, "also", i):
-            also.append(read(text, dim).si)
+            also.append(read(text, dim).si + problem.mechanism.drive.lead)
     works, delta = None, None
     with faults.at("parts", key, "works"):
         works = _works(spec)

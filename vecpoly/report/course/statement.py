@@ -47,7 +47,7 @@ def task(study: Study, press: Press) -> dict[str, Any]:
         "dimensions": dimensions(study, press, figure),
         "freedom": mobility(study.mech).freedom,
         "more": ("、" if press.lang == "zh" else ", ").join(_more(study)),
-        "assumed": assumed(study).of(press.lang),
+        "assumed": " ".join(filter(None, (one.of(press.lang) for one in (assumed(study), counted(study))))),
     }
 
 
@@ -125,4 +125,18 @@ def assumed(study: Study) -> Words:
         f"rad/s. All velocities are proportional to {symbol}, all accelerations to its square, and "
         f"positions do not depend on it{forces.en}; for another speed the results scale "
         "accordingly.",
+    )
+
+
+def counted(study: Study) -> Words:
+    """From where the angles of this report count, where the position is given in another way."""
+    drive = study.mech.drive
+    if drive.ray is None:
+        return Words.same("")
+    given = next(datum for datum in study.problem.given.motion if datum.symbol == f"φ_{drive.link}")
+    here = study.where(drive.position).split(" = ")[1]
+    return Words(
+        f"本报告中各角由 $x$ 轴量起至构件的 $x$ 轴：题目所给的 {given.of('zh')} 在此为 {here}。",
+        f"In this report angles count from the $x$ axis to the $x$ axis of each link: the given {given.of('en')} is "
+        f"{here} here.",
     )
