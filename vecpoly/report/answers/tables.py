@@ -199,11 +199,14 @@ def _plain(answer: Answer, size: float, lang: Lang) -> str:
 
 
 def deviation_told(answer: Answer) -> str:
-    """Of the two values as they stand beside it, in per cent, of an angle in degrees."""
+    """Of the two values as they stand beside it, in per cent, of an angle in degrees; NOTHING of one that stands there as
+    0, so small is it."""
     if (sign := sign_of_deviation(answer)) == NOTHING:
         return NOTHING
     angular, told = bool(sign), exact_number(answer, clean(answer))
     (drawn, _), (size, _) = read_back(drawn_number(answer)), read_back(told)
+    if not angular and not size:
+        return NOTHING
     text = f"{drawn - size:+.{places_of(told)}f}" if angular else f"{100 * (drawn - size) / abs(size):+.2f}"
     text = text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")
     return text + sign
