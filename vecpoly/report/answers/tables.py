@@ -199,8 +199,8 @@ def _plain(answer: Answer, size: float, lang: Lang) -> str:
 
 
 def deviation_told(answer: Answer) -> str:
-    """Of the two values as they stand beside it, in per cent, of an angle in degrees; NOTHING of one that stands there as
-    0, so small is it."""
+    """Of the two values as they stand beside it, in per cent, of an angle in degrees; NOTHING where the exact one is so
+    small that it stands there as 0."""
     if (sign := sign_of_deviation(answer)) == NOTHING:
         return NOTHING
     angular, told = bool(sign), exact_number(answer, clean(answer))
