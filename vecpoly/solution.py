@@ -16,6 +16,7 @@ from .board.otherwise.slip import Slip
 from .board.paper.sizes import unfit
 from .check.alarm import Cause, contradicted, warning
 from .check.idle import idle
+from .check.paced import paced
 from .check.precision import PLENTY, noise, sizes
 from .check.resting import at_rest
 from .drawing.sheets.paper import DrawingPaper
@@ -138,7 +139,7 @@ def solve(
         )
     construction, answers = as_printed(drawn.construction, answers)
     small = unfit(construction.figures, task.given({figure.view for figure in construction.figures}))
-    told = (*problem.warnings, *((*at_rest(problem), *idle(problem)) if precise else ()), *small)
+    told = (*problem.warnings, *((*at_rest(problem), *idle(problem), *paced(problem)) if precise else ()), *small)
     return Solution(problem, _warned(task, drawn._replace(construction=construction), answers), answers, told)
 
 
