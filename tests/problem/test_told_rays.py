@@ -42,7 +42,7 @@ masses: {{1: {{mass: 1 kg, {masses}, centre: A}}}}
 @pytest.mark.parametrize(("bar", "lean"), WAYS)
 def test_a_machine_starts_and_ends_where_it_is_told(bar: str, lean: float) -> None:
     keys = "phi_end, t_end, omega_at_90"
-    found, plain = (exact_values(crank(*way, keys, RUN, PUSH)) for way in ((bar, lean), ("AB", 0)))
+    found, plain = (exact_values(crank(b, at, keys, RUN, PUSH)) for b, at in ((bar, lean), ("AB", 0.0)))
     assert found["phi_end"] == pytest.approx(30 - 360, abs=1e-6)
     assert [found[key] for key in found] == pytest.approx([plain[key] for key in found], rel=1e-7)
 
@@ -51,7 +51,7 @@ def test_a_machine_starts_and_ends_where_it_is_told(bar: str, lean: float) -> No
 def test_where_it_is_fastest_is_told_in_the_same_way(bar: str, lean: float) -> None:
     loads = "M_d: {on: 1, size: constant}, "
     found, plain = (
-        exact_values(crank(*way, "M_d, phi_max, phi_min", STEADY, loads)) for way in ((bar, lean), ("AB", 0))
+        exact_values(crank(b, at, "M_d, phi_max, phi_min", STEADY, loads)) for b, at in ((bar, lean), ("AB", 0.0))
     )
     assert [found[key] for key in found] == pytest.approx([plain[key] for key in found], rel=1e-6)
 
