@@ -66,8 +66,12 @@ def _last_drives(sheet: Sheet) -> bool:
 
 
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
+    plan = sheet.plan
     if verdict is not Verdict.VALID:
-        return Words("连接第一位置的各铰链。", "Join the pins in the first position.")
+        pins = [f"${sheet.named(letter, 0)}$" for loop in plan.loops for letter in loop.letters]
+        return Words(
+            f"连接第一位置的各铰链 {'、'.join(pins)}。", f"Join the pins {', '.join(pins)} in the first position."
+        )
     also = (
         Words("和第一位置的方向角", " and the directions in the first position") if sheet.plan.either else Words("", "")
     )
