@@ -15,6 +15,7 @@ from vecpoly.algebra.formula import plain
 from vecpoly.board.acts import Angle, Plot
 from vecpoly.board.construction import Construction
 from vecpoly.designs.base import Design
+from vecpoly.report.statement.conventions import conventions
 from vecpoly.words import Words
 
 _POINT, _FORMULA = re.compile(r"[A-Z]['′]*\d*"), re.compile(r"\$([^$]+)\$")
@@ -72,3 +73,11 @@ def test_a_lies_between_c_and_s_where_the_coupler_is_given_and_beyond_s_where_th
     c, s, a = (places[letter] for letter in ("C_2", "S", "A"))
     assert (abs(a - c) < abs(s - c)) is (told != "延长线")
     assert any(told in step.words.zh for step in construction.steps)
+
+
+@pytest.mark.parametrize(
+    ("name", "several"), [("four-positions", False), ("K-crank-rocker-gamma", True), ("8-5", False)]
+)
+def test_a_number_above_a_symbol_is_that_of_a_solution_only_where_there_are_several(name: str, several: bool) -> None:
+    """M^(1) is the first centre point, of whatever solution."""
+    assert bool(conventions(drawn(name).solution)["superscripts"]) is several
