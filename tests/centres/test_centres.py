@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import json
+import re
 from functools import cache
 from itertools import combinations
 from pathlib import Path
@@ -364,6 +365,18 @@ def test_every_pair_of_links_is_one_line_of_the_polygon() -> None:
         solution = load(name).solve(by="exact")
         full, dashed = lines_of_polygon(solution)
         assert len(full) == direct and sorted(full + dashed) == sorted(link_pairs(solution.problem.mechanism))
+
+
+@pytest.mark.parametrize("name", ["3-1a", "3-1c", "3-1d", "3-3", "D-3", "D-3-knife"])
+def test_the_step_calls_full_lines_those_that_are(name: str) -> None:
+    """A centre of which only the common normal is known is dashed until it is found."""
+    solution = load(name).solve(by="exact")
+    told = next(step.words for step in solution.construction.steps if "用实线" in step.words.zh)
+    for text, before, after in ((told.zh, "在瞬心多边形上", "用实线"), (told.en, "In the polygon", "full line")):
+        part = text.split(before)[1].split(after)[0]
+        named = re.findall(r"P_\{?(\d+)", part) or re.findall(r"P_\{?(\d+)", text)
+        pairs = [pair_of(solution.problem.mechanism, *map(solution.problem.mechanism.named, one)) for one in named]
+        assert sorted(pairs) == sorted(lines_of_polygon(solution)[0])
 
 
 # -- parallels, and centres off the paper ------------------------------------------------------------------------------

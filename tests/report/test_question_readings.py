@@ -14,7 +14,7 @@ from vecpoly.board.acts import LayOff
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import Arc, Dot, Note, Outline, Point, Segment, Vector
-from vecpoly.board.place import Pane, called
+from vecpoly.board.place import Pane, View, called
 from vecpoly.drawing.sheets.sheet import Hung
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.names import written_unit
@@ -176,6 +176,14 @@ def test_a_polygon_of_couples_has_a_line_for_its_equation_though_that_has_no_num
 def test_each_instant_centre_that_is_asked_has_a_line_for_both_of_its_coordinates() -> None:
     frame = next(one for one in blank_of("3-1f")[0].figures if told(one))
     assert told(frame) == [text for n in ("12", "13", "23") for text in (f"$P_{{{n}}}$: $x$ =", Y, "mm")]
+
+
+@pytest.mark.parametrize(("name", "point"), [("A-27-d", "F"), ("4-7", "C"), ("hypocycloid-drive", "P"), ("4-5", "B")])
+def test_the_place_of_a_point_is_asked_in_the_frame_of_the_mechanism(name: str, point: str) -> None:
+    """F was asked under the polygon of accelerations, beside axes that stood at its pole."""
+    assert f"p_{point}" in drawn(name).construction.readings
+    there = [frame for frame in blank_of(name)[0].figures if f"${point}$: $x$ =" in told(frame)]
+    assert [frame.view for frame in there] == [View.MECHANISM]
 
 
 def test_the_circle_between_whose_numbers_centres_are_found_is_50_mm_wide_in_its_frame() -> None:

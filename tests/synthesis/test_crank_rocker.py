@@ -139,7 +139,7 @@ def test_a_line_for_a_is_given_by_its_coordinate_and_a_circle_that_it_misses_is_
 def test_a_curve_that_does_not_reach_the_given_angle_says_so() -> None:
     steps = vecpoly.solve(vecpoly.load("K-crank-rocker-gamma"), by="exact", repeats=0).construction.steps
     assert [step.section.en for step in steps if "does not reach the given value" in step.words.en] == [
-        "The point $A′$ and the lengths"
+        "The point $A$ on the circle $η′$ and the lengths"
     ]
 
 
@@ -242,8 +242,11 @@ def test_the_range_told_of_a_line_across_has_both_mirror_images() -> None:
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("best-gamma", ("取曲线上 $γ_min$ 最大的一点为 $A$", "for which the curve has its maximum $γ_min$")),
-        ("K-crank-rocker-gamma", ("$γ_min$ 等于给定值的点为 $A$", "for which the curve has the given $γ_min$")),
+        ("best-gamma", ("取曲线上 $γ_{min}$ 最大的一点为 $A$", "for which the curve has its maximum $γ_{min}$")),
+        (
+            "K-crank-rocker-gamma",
+            ("$γ_{min}$ 等于给定值的点为 $A′$、$A$", "$A′$ and $A$ the points for which the curve has"),
+        ),
     ],
 )
 def test_which_point_of_the_curve_is_taken_is_said(name: str, said: tuple[str, str]) -> None:

@@ -10,12 +10,14 @@ import pytest
 from tests.drawn_library import IDS, Drawn, drawn, given
 from tests.each import Later, each
 from vecpoly.algebra.quantity import number
+from vecpoly.algebra.rounding import in_tenths
 from vecpoly.board.construction import Figure
 from vecpoly.board.paper.marks import AngleMark, Arc, Block, FixedGuide, Ground, Mark, Point, Role, Segment
 from vecpoly.designs.base import Design
 from vecpoly.drawing.figure import drawing
 from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.sheets.sheet import Placed, Sheet, sheets
+from vecpoly.printed.digits import drawn_number
 
 DESIGNS = Later(lambda: (name for name in IDS if isinstance(given(name).subject, Design)))
 FULL = 2.0  # mm: a shorter line tells nothing
@@ -45,9 +47,13 @@ def test_an_angle_that_is_asked_stands_in_a_figure_with_an_arc_and_the_value_of_
     for key, answer in one.solution.answers.items():
         if key.rstrip("_123456789") not in ANGLES or not answer.drawn or answer.undefined:
             continue
-        value = f" = {number(answer.drawn)}°"
-        supplement = f" = {number(90.0 - answer.drawn)}°"  # of γ_min = 90° − α_max the pressure angle is marked
-        assert any(mark.label.endswith((value, supplement)) for mark in _angles(one)), (key, value)
+        told = {drawn_number(answer), in_tenths(answer.drawn)}  # as the protractor shows it, or as it was computed
+        told |= {
+            in_tenths(90.0 - answer.drawn),
+            number(90.0 - answer.drawn),
+        }  # of γ_min = 90° − α_max the pressure angle is marked
+        ends = tuple(f" = {value}°" for value in told)
+        assert any(mark.label.endswith(ends) for mark in _angles(one)), (key, ends)
 
 
 @each(DESIGNS)

@@ -105,13 +105,16 @@ def test_the_cutter_is_said_to_transmit_force_poorly_and_a_good_linkage_is_not()
 
 
 def test_on_either_circle_a_and_its_trial_positions_have_the_letters_that_the_steps_name() -> None:
-    """A′ stood on the second circle, between 1′ and 2′, and the steps and its curve spoke of A, 1 and 2."""
+    """A′ stood on the second circle, between 1′ and 2′, and the steps and its curve spoke of 1 and 2. A′ is the A of
+    the second solution, whichever circle has it."""
     construction = drawn("best-gamma").construction
     charts = [figure for figure in construction.figures if figure.name.startswith("gamma of A")]
     assert len(charts) == 2
     for figure, primes in zip(charts, ("", "′"), strict=True):
         letters = {mark.label for mark in figure.marks if isinstance(mark, Point) and "/" not in mark.label}
         assert letters - {""} == {f"A{primes}", *(f"{n}{primes}" for n in range(1, 8))}
-        assert figure.title.zh.startswith(f"$A{primes}$ 在圆 $η{primes}$")
+        assert figure.title.zh.startswith(f"$A$ 在圆 $η{primes}$")
+        taken = "同样选取" if primes else "最大的一点为"
+        assert any(f"{taken} $A{primes}$。" in step.words.zh for step in construction.steps)
         (chosen,) = (step.words for step in construction.steps if f"在圆 $η{primes}$ 上依次取" in step.words.zh)
-        assert f"1{primes}、2{primes}、3{primes}" in chosen.zh and f"of $A{primes}$ on the circle" in chosen.en
+        assert f"1{primes}、2{primes}、3{primes}" in chosen.zh and "of $A$ on the circle" in chosen.en

@@ -92,6 +92,8 @@ _SYMBOL = re.compile(
 )
 
 
+_POINTS = re.compile(r"(?<=[∠△])[A-Z0-9_'′]+")  # ∠C_1OA: letters of points, whose subscripts are digits alone
+_NEXT = re.compile(r"_([0-9]+)(?=[A-Z]['′]*_)")  # C_1C_2: the second C has a subscript of its own
 _PIECE = re.compile(rf"(?<![A-Za-z])(?P<function>arctan|sin|cos|tan|cot)(?![A-Za-z])|{_SYMBOL.pattern}")
 
 
@@ -134,7 +136,7 @@ def row(text: str) -> Row:
 def _items(text: str) -> tuple[Node, ...]:
     items: list[Node] = []
     end = 0
-    text = _EXPONENT.sub(lambda found: f"^{{{found[0].translate(LOWERED)}}}", text)
+    text = _EXPONENT.sub(lambda found: f"^{{{found[0].translate(LOWERED)}}}", _apart(text))
     for m in _PIECE.finditer(text):
         if m.start() > end:
             items.append(Txt(text[end : m.start()]))
@@ -143,6 +145,12 @@ def _items(text: str) -> tuple[Node, ...]:
     if end < len(text):
         items.append(Txt(text[end:]))
     return tuple(items)
+
+
+def _apart(text: str) -> str:
+    """Letters of points side by side, each with its own index: C_1C_2, ∠C_1OA; but W_1I, P_24C, i_1H are one symbol."""
+    points = _POINTS.sub(lambda found: re.sub(r"_([0-9]+)", r"_{\1}", found[0]), text)
+    return _NEXT.sub(r"_{\1}", points)
 
 
 def letters_node(letters: str) -> Node:

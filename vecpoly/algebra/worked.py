@@ -95,12 +95,16 @@ def _with_told(own: Expr, told: Callable[[Node, float], str], left: Node | None 
     return _each(own, lambda one: replace(one, told=number_of(one) or one.told))
 
 
-def goes_on(line: Row, shown: str, told: Callable[[Node, float], str]) -> bool:
-    """Whether the line gives this end with the numbers that are told elsewhere; so does one that goes on with none."""
+def goes_on(
+    line: Row, shown: str, told: Callable[[Node, float], str], needs: Callable[[Node], bool] = lambda _: False
+) -> bool:
+    """Whether the line gives this end with the numbers that are told elsewhere, those that it needs among them; so does
+    one that goes on with none."""
     own = cast("Expr", line.worked)
-    return _as_told(line, shown, told)[0] is not own or not any(
-        told(one.node, float(nominal(one.value))) for one in _quantities(own)
-    )
+    known = [one.node for one in _quantities(own) if told(one.node, float(nominal(one.value)))]
+    chosen = _as_told(line, shown, told)[0]
+    with_them = all(one.told for one in _quantities(chosen) if one.node in known and needs(one.node))
+    return (chosen is not own and with_them) or not known
 
 
 def reckoned_again(line: Row, told: Callable[[Node, float], str], figures: int = FIGURES) -> float:

@@ -130,10 +130,11 @@ class Board(Compass):
     def _gauged(self, a: Points, b: Points, angle: Reals) -> Acts:
         return self.log(done.Gauge(head=self.head(a, b), angle=amount(angle)))
 
-    def coordinates(self, at: Points, letter: str) -> Points:
-        """How far a point lies to the right of the origin and above it, both read off the rule (mm)."""
+    def coordinates(self, at: Points, letter: str, on: Place | None = None) -> Points:
+        """How far a point lies to the right of the origin and above it, both read off the rule (mm); on: the figure on
+        which it lies, where it is not that of the step."""
         read = self.hand.read(at.real) + 1j * self.hand.read(at.imag)
-        act = done.Measure(head=self.head(at, key=plain_letters(letter)), a=0j, b=spot(at), mm=abs(spot(read)))
+        act = done.Measure(head=self.head(at, on=on, key=plain_letters(letter)), a=0j, b=spot(at), mm=abs(spot(read)))
         return traced(read, self.log(act))
 
     def keep(self, reading: Reading, value: Reals, each: Points | None = None) -> None:

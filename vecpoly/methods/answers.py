@@ -100,7 +100,7 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     name = str(rel.to)
     place: Points = desk.at[name] if name in desk.at else desk.at[rel.to.point]
     scale = desk.board.scales[View.MECHANISM]
-    metres = desk.board.coordinates(place, name) * scale.value
+    metres = desk.board.coordinates(place, name, View.MECHANISM) * scale.value
     vector = complex(nominal(metres))
     desk.board.answer(rel.key, spot(metres), "m", metres, each=metres)
     text = Row((sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" = {spot_in_mm(vector)}")))

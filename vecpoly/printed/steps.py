@@ -10,6 +10,7 @@ from ..algebra.formula import Node, Row, Txt, named, sym
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
+from .arcs import arcs_as_told
 from .digits import coordinates
 from .metres import in_metres
 from .places import place_parts
@@ -55,7 +56,9 @@ def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tup
     scales = {sym(one.scale.symbol) for one in construction.figures if one.scale.unit == "m" and one.scale.symbol}
     made = {key: in_metres(printed.line(line), line, scales) for key, line in once.items()}
     steps = tuple(_with_lines(step, made) for step in construction.steps)
-    return replace(construction, steps=steps), {key: _with_line(one, made) for key, one in printed.answers.items()}
+    return arcs_as_told(replace(construction, steps=steps)), {
+        key: _with_line(one, made) for key, one in printed.answers.items()
+    }
 
 
 def _settled(lines: Sequence[Row], answers: Mapping[str, Answer]) -> _Printed:

@@ -108,12 +108,13 @@ class Told:
         for reached, some in ((self._goes_on, tried), (self._within, guarded)):
             for few in some:
                 self._carried[symbol] = size, few
-                if reached(line, sign + few) and all(self._goes_on(*one) for one in users):
+                if reached(line, sign + few) and all(self._goes_on(*one, symbol) for one in users):
                     return
         self._carried[symbol] = size, text
 
-    def _goes_on(self, line: Row, shown: str) -> bool:
-        return goes_on(line, shown, self._told)
+    def _goes_on(self, line: Row, shown: str, symbol: Node | None = None) -> bool:
+        """Whether a line goes on with what is told, with this symbol's number too: 31.416² stood under ω = 31.42."""
+        return goes_on(line, shown, self._told, lambda one: of_both(one) == symbol)
 
     def _within(self, line: Row, shown: str) -> bool:
         """Whether the line needs no more than a few guard figures to come to this."""

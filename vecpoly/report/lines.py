@@ -7,7 +7,7 @@ from math import degrees
 
 from ..algebra.columns import with_zeros
 from ..algebra.quantity import number
-from ..board.construction import LineOfAction
+from ..board.construction import LineOfAction, View
 from ..board.said.sides import side_of
 from ..check.truths.analysis import pin_of
 from ..mechanism.asked.forces import leaning_symbol, pairs, press_named
@@ -26,6 +26,7 @@ _HEADER = {
     "en": ("Force", "$x$ /mm", "$y$ /mm", "Position of the line of action", "Off the exact line /mm"),
 }
 _WAY = {True: Words("（逆时针）", ", counter-clockwise"), False: Words("（顺时针）", ", clockwise")}
+_TENTH = 0.1  # mm, to which a rule is read
 _SENSE = {"ccw": Words("逆时针", "counter-clockwise"), "cw": Words("顺时针", "clockwise")}
 
 
@@ -38,18 +39,28 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     ]
     if not acting:
         return None
-    rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
+    rows = [
+        _row(answer, acts, _told(solution, acts), lies(solution, answer.key, acts), lang) for answer, acts in acting
+    ]
     if all(row[-1] in ("0", "—") for row in rows):  # every line lies where it must
         rows = [(*row[:-1], "—") for row in rows]
     rows = [(*row[:-1], off) for row, off in zip(rows, with_zeros([row[-1] for row in rows]), strict=True)]
     return trimmed(_HEADER[lang], rows, (), "lddld", lang)
 
 
-def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:
+def _row(answer: Answer, acts: LineOfAction, at: complex, how: Words, lang: Lang) -> tuple[str, ...]:
     if acts.couple is not None:
         return called(answer.reading.symbol, answer.key, lang), "∞", "∞", how.of(lang), "—"
-    x, y = place_parts(acts.point, 1)
+    x, y = place_parts(at, 1)
     return called(answer.reading.symbol, answer.key, lang), x, y, how.of(lang), _off(answer, acts)
+
+
+def _told(solution: Solution, acts: LineOfAction) -> complex:
+    """The point of the line (m); one whose place is an answer, as it was read there."""
+    figure = solution.construction.figure(View.MECHANISM)
+    near = 0.0 if figure is None else figure.scale.value * _TENTH
+    places = (one.drawn_vector for one in solution.answers.values() if one.is_place and one.drawn_vector is not None)
+    return next((place for place in places if abs(place - acts.point) < near), acts.point)
 
 
 def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:

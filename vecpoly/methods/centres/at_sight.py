@@ -54,11 +54,25 @@ def _words(fig: CentreFigure, found: tuple[Direct, ...]) -> Words:
         for part in (_pins(fig, found), _slides(fig, found), _rolling(fig, found), _contacts(fig, found))
         if part is not None
     ]
+    full = _full(fig, found)
     return Words(
-        "直接相连的构件，其瞬心由观察得到：" + "；".join(part.zh for part in parts) + "。在瞬心多边形上用实线表示。",
+        "直接相连的构件，其瞬心由观察得到：" + "；".join(part.zh for part in parts) + full.zh,
         "The centres of links that are joined directly are found by inspection: "
         + "; ".join(part.en for part in parts)
-        + ". In the polygon they are drawn as full lines.",
+        + full.en,
+    )
+
+
+def _full(fig: CentreFigure, found: tuple[Direct, ...]) -> Words:
+    """Which are full lines of the polygon: those whose place is known, and not one of which a line only is."""
+    known = tuple(one for one in found if one.centre is not None)
+    if known == found:
+        return Words("。在瞬心多边形上用实线表示。", ". In the polygon they are drawn as full lines.")
+    names, one = _names(fig, known), len(known) == 1
+    drawn = ", whose place is known, is drawn as a full line" if one else ", whose places are known, are full lines"
+    return Words(
+        f"。在瞬心多边形上，位置已知的 {names.zh} 用实线表示。" if known else "。",
+        f". In the polygon {names.en}{drawn}." if known else ".",
     )
 
 

@@ -78,7 +78,7 @@ def read_collineation(fig: CurvatureFigure) -> None:
 def _place(fig: CurvatureFigure, named: Named, at: Points, found: str) -> None:
     """Both coordinates read off the rule (m on the diagram's axes), on the figure on which the point was found."""
     pane, ratio = fig.homes[found]
-    mm, scale = fig.board.coordinates(at * ratio, named.symbol), fig.board.scale_of(pane)
+    mm, scale = fig.board.coordinates(at * ratio, named.symbol, pane), fig.board.scale_of(pane)
     reading, distance, each = place_read(named.key, named.symbol, mm, scale)
     assert reading.formula is not None
     fig.board.write(reading.formula)

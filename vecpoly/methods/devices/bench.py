@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...algebra.formula import Node
+from ...algebra.formula import Node, Row, Txt
 from ...algebra.formula import named as name_of
 from ...algebra.quantity import Expr, Quantity, Sum, magnitude
 from ...algebra.worked import stated, worked
 from ...board.board import NO_LENGTH, Board
 from ...board.construction import LineOfAction, Place, Reading, Scale
 from ...board.otherwise.slip import Chance
+from ...board.said.protractor import degrees_told
 from ...foundation.slotted import replace
 from ...names import Named, ascii_key
 from ...plane import Points, Reals, nominal
@@ -114,13 +115,19 @@ class Bench:
     def stated(self, named: Named, value: Reals, formula: Node | None = None) -> Quantity:
         """Keep a value found in another way: by formula given here, or as it stands."""
         result = magnitude(named.symbol, value, named.unit)
-        node = formula if formula is not None else stated(result)
+        node = formula if formula is not None else self._line(result)
         self.board.write(node)
         self._keep(
             Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node),
             value,
         )
         return result
+
+    def _line(self, result: Quantity) -> Row:
+        """symbol = value with unit; of an angle off the protractor with its tenth."""
+        if result.unit != "deg":
+            return stated(result)
+        return Row((result.node, Txt(f" = {degrees_told(self.board.acts, result.value)}°")))
 
     def told_otherwise(self, named: Named, quantity: Quantity) -> Quantity:
         """Keep a quantity that has a line already, under another name, or that is given."""

@@ -78,8 +78,9 @@ def _say_nearly_none(desk: Desk, eq: Equation, closed: Closed) -> None:
             one, other = letters(desk, View.VELOCITY, term.rel.ref, term.rel.to).split()
             desk.board.remark(
                 Words(
-                    f"${one}$、${other}$ 两点靠得很近，${term.symbol}$ ≈ 0。",
-                    f" The points ${one}$ and ${other}$ lie close together: ${term.symbol}$ ≈ 0.",
+                    f"${one}$、${other}$ 两点靠得很近，${term.symbol}$ 很小，图上量不准。",
+                    f" The points ${one}$ and ${other}$ lie close together: ${term.symbol}$ is too small to be read "
+                    "well.",
                 )
             )
 

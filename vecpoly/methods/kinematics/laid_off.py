@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import dropwhile
 
+from ...algebra.formula import adjoined
 from ...board.construction import View
 from ...names import At, Rel
 from ...plane import nominal
@@ -65,7 +66,7 @@ def _end_of(desk: Desk, view: View, at: At) -> str:
 def _vector(here: str, term: Term) -> Words:
     """From where to where a known vector is laid off, and which way it points."""
     way = (f"（{term.direction.zh}）", f" ({term.direction.en})")
-    line = f"${here} {term.tip}$"
+    line = f"${adjoined(here, term.tip)}$"
     return Words(f"自 ${here}$ 作 {line}{way[0]}", f"from ${here}$ lay off {line}{way[1]}")
 
 

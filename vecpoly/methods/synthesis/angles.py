@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import number
 from ...board.place import Place
+from ...board.said.protractor import degrees_told
 from ...designs.base import numbered
 from ...names import Named
 from ...plane import Points, Reals, nominal
@@ -42,9 +42,9 @@ def marked(
     draft.board.angle(place, at, start, sweep, radius, label, key=key)
 
 
-def valued(symbol: str, value: Reals) -> str:
-    """What stands beside an arc: ``θ = 20°``."""
-    return f"{symbol} = {number(float(nominal(value)))}°"
+def valued(draft: Draft, symbol: str, value: Reals) -> str:
+    """What stands beside an arc: ``θ = 20°``; of an angle off the protractor ``γ = 40.0°``."""
+    return f"{symbol} = {degrees_told(draft.board.acts, value)}°"
 
 
 def found(draft: Draft, named: Named, at: Points, rays: tuple[Points, Points], *, place: Place = SHEET) -> None:
@@ -53,4 +53,4 @@ def found(draft: Draft, named: Named, at: Points, rays: tuple[Points, Points], *
     key = draft.kept(numbered(named, draft.number).key, named.key)
     if key is not None:
         symbol = named.symbol if key == named.key else own.symbol
-        marked(draft, at, rays, valued(symbol, draft.board.found[key]), key=key, place=place)
+        marked(draft, at, rays, valued(draft, symbol, draft.board.found[key]), key=key, place=place)

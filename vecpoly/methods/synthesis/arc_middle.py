@@ -37,23 +37,22 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
     middle M of the arc C₁C₂ on which A does not lie, or does.
     """
     (c1, c2), board = limits, draft.board
-    crank, primes = given == "AB", primes_of(eta)
-    lies = ("不含", f"on which $A{primes}$ does not lie") if crank else ("含", f"on which $A{primes}$ lies")
+    crank, primes, letter = given == "AB", primes_of(eta), draft.letter("A")
+    lies = ("不含", f"on which ${letter}$ does not lie") if crank else ("含", f"on which ${letter}$ lies")
+    ray = _ray(primes, letter, beyond=crank)
     board.step(
         Words(
-            f"取圆 $η{primes}$ 上{lies[0]} $A{primes}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$（在过 $O{primes}$ 的 "
+            f"取圆 $η{primes}$ 上{lies[0]} ${letter}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$（在过 $O{primes}$ 的 "
             f"$C_{{1}}C_2$ 的垂线上），以 $M{primes}$ 为圆心、"
             f"$M{primes}C_1$ 为半径作弧；"
-            f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，两弧交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
-            f"$η{primes}$ 交于 $A{primes}$。",
+            f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，两弧交于 $S{primes}$；{ray.zh}",
             f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} (on the perpendicular to "
             f"$C_{{1}}C_2$ through $O{primes}$) draw an arc through "
             f"$C_1$; the arc about "
-            f"$C_2$ with the radius $2l_{given}/μ_l$ meets it at $S{primes}$. The line $C_{{2}}S{primes}$ meets "
-            f"$η{primes}$ at $A{primes}$.",
+            f"$C_2$ with the radius $2l_{given}/μ_l$ meets it at $S{primes}$. {ray.en[0].upper()}{ray.en[1:]}",
         ),
         SHEET,
-        again=_again(primes, lies),
+        again=_again(primes, letter, lies, ray),
     )
     far = eta.flat and not crank  # the middle of the greater arc
     m = _middle(draft, limits, eta, upper=(eta.side < 0) == crank, far=far)
@@ -67,18 +66,30 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
         board.arcs_past(SHEET, m, radius, c1, s)
     board.remark(MIRROR)
     line = Line(c2, unit(s - c2))
-    a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words(f"求 $A{primes}$", f"finding $A{primes}$"))
+    a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words(f"求 ${letter}$", f"finding ${letter}$"))
     board.rule(SHEET, line, a)
     yield board.either(a)
 
 
-def _again(primes: str, lies: tuple[str, str]) -> Words:
+def _again(primes: str, letter: str, lies: tuple[str, str], ray: Words) -> Words:
     """The same on the other circle."""
     return Words(
-        f"同样，由圆 $η{primes}$ 上{lies[0]} $A{primes}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$ 得 $S{primes}$，"
-        f"$C_{{2}}S{primes}$ 的延长线与 $η{primes}$ 交于 $A{primes}$。",
+        f"同样，由圆 $η{primes}$ 上{lies[0]} ${letter}$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$ 得 $S{primes}$，{ray.zh}",
         f"In the same way: $M{primes}$ is the midpoint of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]}; it gives "
-        f"$S{primes}$, and $C_{{2}}S{primes}$ meets $η{primes}$ at $A{primes}$.",
+        f"$S{primes}$, and {ray.en}",
+    )
+
+
+def _ray(primes: str, letter: str, *, beyond: bool) -> Words:
+    """How C₂S gives A: beyond S where C₂S = AC₂ − AC₁, between C₂ and S where it is their sum."""
+    if beyond:
+        return Words(
+            f"$C_{{2}}S{primes}$ 的延长线与 $η{primes}$ 交于 ${letter}$。",
+            f"the line $C_{{2}}S{primes}$, produced, meets $η{primes}$ at ${letter}$.",
+        )
+    return Words(
+        f"连 $C_{{2}}S{primes}$，与 $η{primes}$ 交于 ${letter}$。",
+        f"the line $C_{{2}}S{primes}$ meets $η{primes}$ at ${letter}$, between $C_2$ and $S{primes}$.",
     )
 
 

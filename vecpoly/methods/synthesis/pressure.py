@@ -28,9 +28,10 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     place = board.open_pane(View.MECHANISM, f"alpha {draft.number}", Words("最大压力角", "Maximum pressure angle"))
     board.step(
         Words(
-            "曲柄垂直于导路且 $B$ 离导路最远时压力角最大。按各杆长度作此位置，量连杆与导路的夹角。",
+            "曲柄垂直于导路且 $B$ 离导路最远时压力角最大。按各杆长度作此位置 $AB′C′$，量连杆 $B′C′$ 与导路的夹角。",
             "The pressure angle is greatest with the crank perpendicular to the guide and $B$ at its greatest "
-            "distance from it. Draw this position and measure the angle between coupler and guide.",
+            "distance from it. Draw this position, $AB′C′$, and measure the angle between the coupler $B′C′$ and the "
+            "guide.",
         ),
         place,
     )
@@ -55,5 +56,5 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     along = board.parallel(c, unit(n - c) if level else -guide.along, key="nn").along
     alpha = 90.0 - np.abs(90.0 - np.degrees(np.abs(board.gauge(0j, (b - c) / along))))
     own = draft.of_this(ALPHA_MAX)
-    marked(draft, c, (n, b), valued(own.symbol, alpha), key=own.key, place=place)
+    marked(draft, c, (n, b), valued(draft, own.symbol, alpha), key=own.key, place=place)
     return alpha

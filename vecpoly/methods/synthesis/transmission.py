@@ -51,10 +51,11 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
     to = _told(draft, place)
     board.step(
         Words(
-            f"最小传动角出现在曲柄与机架共线的两位置之一。按各杆长度{to.zh}作此两位置，量 $∠BCD$；若为钝角，取其补角。",
+            f"最小传动角出现在曲柄与机架共线的两位置之一。按各杆长度{to.zh}作此两位置 $AB′C′D$、$AB′′C′′D$，"
+            "量 $∠BCD$；若为钝角，取其补角。",
             "The transmission angle is least in one of the two positions in which the crank is in line with the "
-            f"frame. Draw both with the lengths of the links{to.en} and read $∠BCD$; if it is obtuse, take its "
-            "supplement.",
+            f"frame. Draw both, $AB′C′D$ and $AB′′C′′D$, with the lengths of the links{to.en} and read $∠BCD$; if it "
+            "is obtuse, take its supplement.",
         ),
         place,
         again=Words(
@@ -126,7 +127,7 @@ def _marked(draft: Draft, place: Pane, d: Points, one: Extreme) -> None:
     beyond = one.c + BEYOND * unit(one.c - one.b)
     if not acute:
         draft.board.join(place, one.c, beyond, Role.CONSTRUCTION)
-    marked(draft, one.c, (one.b if acute else beyond, d), valued(one.symbol, one.gamma), place=place)
+    marked(draft, one.c, (one.b if acute else beyond, d), valued(draft, one.symbol, one.gamma), place=place)
 
 
 def _linkages(draft: Draft, place: Pane, ends: tuple[Points, Points], both: list[Extreme]) -> None:

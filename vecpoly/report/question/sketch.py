@@ -9,6 +9,7 @@ from ...board.paper.marks import AngleMark, Ground, Mark, Plate, Point, Role, Se
 from ...board.paper.tones import key_of, whose
 from ...designs.base import Design
 from ...designs.inversion.cognates import Cognates
+from ...designs.limit_lines import LimitLines
 from ...designs.straight_line import StraightLine
 from ...figures.hue import Hue
 from ...foundation.frozen import FrozenMap
@@ -17,6 +18,7 @@ from ...problem.problem import Problem
 from ...words import Words
 from ..picture import SKETCH, picture, reduced
 from ..sizes.coordinates import coordinates
+from ..sizes.limits import lines_of_limits
 from ..sizes.sized import sized
 from .assembled import assembled
 from .framed.known import NEAR, given
@@ -53,11 +55,18 @@ def _sketched(problem: Problem, construction: Construction, width: float, height
     found = [mark for mark in given(construction, figure, problem) if getattr(mark, "role", None) is not Role.OTHER]
     letters = {mark.at: mark.label.partition("_") for mark in found if isinstance(mark, Point)}
     marks = [_fine(mark) for mark in found if not _is_chord(mark, letters)]
+    if isinstance(problem.subject, LimitLines):
+        return _limits(problem.subject, reduced(figure, marks, width / 2, LOW * height))
     if sum(isinstance(mark, (Point, Segment)) for mark in marks) < _FEWEST:
         return None
     marks += assembled(problem.subject, figure, marks)
     marks += coordinates(problem.subject, figure, marks)
     return sized(problem, replace(reduced(figure, marks, width, height), title=GIVEN))
+
+
+def _limits(subject: LimitLines, figure: Figure) -> Figure:
+    """Two places of a pin with the directions of the coupler there."""
+    return replace(figure, marks=(*figure.marks, *lines_of_limits(subject, figure.marks)), title=GIVEN)
 
 
 def linkage(figure: Figure) -> list[Mark]:

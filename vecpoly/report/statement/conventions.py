@@ -29,9 +29,12 @@ def conventions(solution: Solution) -> dict[str, str]:
 
 
 def _has_numbers(solution: Solution) -> bool:
-    """Whether the number of a solution stands above symbols, l_AB^(1)."""
+    """Whether the number of a solution stands above the symbol of what a line tells, l_AB^(1): beside one solution the
+    lines of rejected candidates are not printed, and that of a centre point, M^(1), is told by its step."""
+    if sum(one.reason is None for one in solution.construction.candidates) == 1:
+        return False
     lines = (line for step in solution.construction.steps for line in step.formulas)
-    return any("^(" in plain(line) for line in lines)
+    return any("^(" in plain(line).partition(" = ")[0] for line in lines)
 
 
 def _primed(solution: Solution) -> str:

@@ -210,7 +210,7 @@ class _Line:
         cell = YES if self.moved.full else NO
         turns = TURNS[cell]
         if added:
-            clause = Words(f"加装杆组后曲柄{turns.zh}整周转动", f"with the dyad added it {turns.en} fully")
+            clause = Words(f"加装杆组后曲柄{turns.zh}整周转动", f"with the dyad added the crank {turns.en} fully")
         else:
             clause = Words(f"原动件 ${ab}$ {turns.zh}整周转动", f"the driver ${ab}$ {turns.en} fully")
         return _Item(head, cell, clause)

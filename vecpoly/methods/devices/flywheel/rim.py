@@ -36,8 +36,9 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
     _speed(bench, rim, h, omega)
     board.step(
         Words(
-            "按真实的圆环校核转动惯量（$R_1$、$R_2$ 为轮缘的内、外半径）：",
-            "Check the moment of inertia of the actual annulus, with $R_1$ and $R_2$ its inner and outer radii:",
+            "按真实的圆环校核转动惯量（内半径 $R_1 = (D − h)/2$，外半径 $R_2$）：",
+            "Check the moment of inertia of the actual annulus, with the inner radius $R_1 = (D − h)/2$ and the outer "
+            "radius $R_2$:",
         )
     )
     inner, outer = (magnitude(f"R_{n}", rim.D.si / 2 + sign * h.value / 2e3, "m") for n, sign in ((1, -1), (2, 1)))
@@ -46,7 +47,12 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
 
 def _speed(bench: Bench, rim: Rim, h: Quantity, omega: Quantity) -> None:
     board = bench.board
-    board.step(Words("求轮缘外圆的线速度：", "Find the speed of the outside of the rim:"))
+    board.step(
+        Words(
+            "求轮缘外圆（半径 $R_2 = (D + h)/2$）的线速度：",
+            "Find the speed of the outside of the rim, of radius $R_2 = (D + h)/2$:",
+        )
+    )
     outer = magnitude("R_2", rim.D.si / 2 + h.value / 2e3, "m")
     v = bench.worked(asked.RIM_SPEED, omega * outer)
     if rim.v_max is not None:

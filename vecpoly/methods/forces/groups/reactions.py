@@ -145,6 +145,12 @@ def _leave(st: Statics, links: tuple[str, ...], by: str, on: str, pin: Points, a
         u, named = _along(vector), st.named(by, on)
         st.board.join(pane, at - u * INSIDE, at, Role.DIRECTION)
         st.board.arrow(pane, at, at + u * INSIDE, Role.RESULT, key=named.key, label=named.symbol)
+        st.board.remark(
+            Words(
+                f"（${named.symbol}$ 为杆组内部的反力，画在杆组图上以示其作用线。）",
+                f" (The reaction ${named.symbol}$ is internal to the group; its figure shows the line of action.)",
+            )
+        )
 
 
 def _along(vector: Points) -> Points:

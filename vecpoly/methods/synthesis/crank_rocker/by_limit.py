@@ -41,7 +41,7 @@ def by_limit(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
     board.join(SHEET, a, d, Role.CONSTRUCTION)
     for end in (a, d):
         board.join(SHEET, c1, end, Role.CONSTRUCTION)
-    marked(draft, d, (a, c1), valued("∠ADC_1", np.degrees(design.ADC.si)), key="ADC")
+    marked(draft, d, (a, c1), valued(draft, "∠ADC_1", np.degrees(design.ADC.si)), key="ADC")
     radius = np.abs(c1 - d)
     _other_limits(draft, (a, d, c1), radius, theta)
 

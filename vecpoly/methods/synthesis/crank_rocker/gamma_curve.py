@@ -53,9 +53,8 @@ def _opened(draft: Draft, track: Track, places: list[float], most: float) -> Cha
     curve = chart(draft, f"gamma of A{primes}", _title(straight, primes), over, up)
     draft.board.step(
         Words(
-            f"对每个 $A{primes}$，作曲柄与机架共线的两个位置，量得 $γ_{{min}}$，"
-            f"以{_over_zh(straight, primes)}为横坐标画曲线。",
-            f"For each of these points $A{primes}$ draw both positions in which the crank is in line with the frame, "
+            f"对每个 $A$，作曲柄与机架共线的两个位置，量得 $γ_{{min}}$，以{_over_zh(straight, primes)}为横坐标画曲线。",
+            f"For each of these points $A$ draw both positions in which the crank is in line with the frame, "
             f"read $γ_{{min}}$, and plot it over {_over_en(straight, primes)}.",
         ),
         curve.place,
@@ -67,17 +66,15 @@ def _title(straight: bool, primes: str) -> Words:
     """By the locus of A: a problem with two loci has two curves."""
     if straight:
         return Words("$A$ 在直线 $C_{1}C_{2}$ 上时的 $γ_{min}$", "$γ_{min}$ for $A$ on the line $C_{1}C_{2}$")
-    return Words(
-        f"$A{primes}$ 在圆 $η{primes}$ 上时的 $γ_{{min}}$", f"$γ_{{min}}$ for $A{primes}$ on the circle $η{primes}$"
-    )
+    return Words(f"$A$ 在圆 $η{primes}$ 上时的 $γ_{{min}}$", f"$γ_{{min}}$ for $A$ on the circle $η{primes}$")
 
 
 def _over_zh(straight: bool, primes: str) -> str:
-    return "图上距离 $C_{1}A$" if straight else f"$β = ∠C_{{1}}O{primes}A{primes}$"
+    return "图上距离 $C_{1}A$" if straight else f"$β = ∠C_{{1}}O{primes}A$"
 
 
 def _over_en(straight: bool, primes: str) -> str:
-    return "the distance $C_{1}A$ on paper" if straight else f"$β = ∠C_{{1}}O{primes}A{primes}$"
+    return "the distance $C_{1}A$ on paper" if straight else f"$β = ∠C_{{1}}O{primes}A$"
 
 
 def _is_long(track: Track) -> bool:

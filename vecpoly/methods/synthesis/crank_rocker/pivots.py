@@ -20,8 +20,9 @@ from .trial import by_trial
 
 def pivots(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> Iterator[Points]:
     """Every A on this circle, or on the line C₁C₂."""
-    section = Words(f"求 $A{primes_of(locus)}$ 点和各构件长度", f"The point $A{primes_of(locus)}$ and the lengths")
-    draft.board.section(section)
+    other = bool(primes_of(locus))
+    on = Words(f"{called(locus).zh}上的", f" on {called(locus).en}") if other else Words.same("")
+    draft.board.section(Words(f"求{on.zh} $A$ 点和各构件长度", f"The point $A${on.en} and the lengths"))
     if design.AD is not None:
         yield from _at_distance(draft, rocker, locus, draft.mm(design.AD.si))
     elif design.A is not None:
@@ -45,13 +46,13 @@ def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> It
     arc = Words("以 $D$ 为圆心、$l_AD/μ_l$ 为半径作弧", "Draw an arc about $D$ with the radius $l_AD/μ_l$")
     if isinstance(locus, Straight):
         meets = abs(float(nominal((locus.line.at - rocker.d).imag))) <= frame
-        board.step(_met(arc, locus, meets), SHEET)
+        board.step(_met(draft, arc, locus, meets), SHEET)
         if meets:
             yield _left(draft, *board.arc_on_line(locus.line, rocker.d, frame, what))
         return
     span, radius = float(nominal(np.abs(locus.centre - rocker.d))), float(nominal(locus.radius))
     meets = abs(radius - frame) <= span <= radius + frame and span >= 1e-9
-    board.step(_met(arc, locus, meets), SHEET)
+    board.step(_met(draft, arc, locus, meets), SHEET)
     if not meets:
         board.remark(
             Words(
@@ -65,11 +66,14 @@ def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> It
     yield a
 
 
-def _met(drawn: Words, locus: Locus, meets: bool) -> Words:
-    """What is drawn, and whether it meets the locus."""
-    on, a = called(locus), f"$A{primes_of(locus)}$"
+def _met(draft: Draft, drawn: Words, locus: Locus, meets: bool, times: int = 1) -> Words:
+    """What is drawn, and whether it meets the locus: in the point, or points, found next."""
+    on, letters = called(locus), [f"${draft.letter('A', n)}$" for n in range(times)]
     if meets:
-        return Words(f"{drawn.zh}，与{on.zh}相交于 {a}。", f"{drawn.en}; it meets {on.en} at {a}.")
+        return Words(
+            f"{drawn.zh}，与{on.zh}相交于 {'、'.join(letters)}。",
+            f"{drawn.en}; it meets {on.en} at {' and '.join(letters)}.",
+        )
     return Words(f"{drawn.zh}，与{on.zh}不相交。", f"{drawn.en}; it does not meet {on.en}.")
 
 
@@ -84,7 +88,7 @@ def _on_line(draft: Draft, given: OnLine, locus: Locus) -> Iterator[Points]:
     board, at = draft.board, complex(draft.mm(1.0)) * given.at
     drawn, what = Words("画给定的直线", "Draw the given line"), Words("求 $A$", "finding $A$")
     if isinstance(locus, Straight):
-        board.step(_met(drawn, locus, given.along == 1j), SHEET)
+        board.step(_met(draft, drawn, locus, given.along == 1j), SHEET)
         line = board.parallel(at, given.along, key="A")
         if given.along == 1j:
             yield board.meet(line, locus.line, what)
@@ -92,7 +96,8 @@ def _on_line(draft: Draft, given: OnLine, locus: Locus) -> Iterator[Points]:
     gap, radius = (
         float(nominal(size)) for size in (np.abs((np.conj(given.along) * (locus.centre - at)).imag), locus.radius)
     )
-    board.step(_met(drawn, locus, gap <= radius), SHEET)
+    both = 2 if given.along == 1j and gap < radius else 1
+    board.step(_met(draft, drawn, locus, gap <= radius, both), SHEET)
     line = board.parallel(at, given.along, key="A")
     if gap > radius:
         board.remark(

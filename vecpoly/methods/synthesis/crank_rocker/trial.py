@@ -22,8 +22,8 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
     best, board, primes = design.best is not None, draft.board, primes_of(locus)
     board.step(
         Words(
-            f"在{called(locus).zh}上依次取 $A{primes}$ 的若干位置 1{primes}、2{primes}、3{primes}…。",
-            f"Choose trial positions 1{primes}, 2{primes}, 3{primes}, ... of $A{primes}$ on {called(locus).en}.",
+            f"在{called(locus).zh}上依次取 $A$ 的若干位置 1{primes}、2{primes}、3{primes}…。",
+            f"Choose trial positions 1{primes}, 2{primes}, 3{primes}, ... of $A$ on {called(locus).en}.",
         ),
         SHEET,
     )
@@ -31,24 +31,26 @@ def by_trial(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) ->
     places = list(summit(track) if design.gamma_min is None else meetings(track, design.gamma_min.si))
     curve = gamma_curve(draft, track, places)
     if curve is not None:
+        letters = [f"${draft.letter('A', n)}$" for n in range(len(places))] or ["$A$"]
+        zh, en = "、".join(letters), " and ".join(letters) + " the point" + "s" * (len(letters) > 1)
         board.step(
             Words(
-                "取曲线上 $γ_min$ 最大的一点为 $A$。",
-                "Take as $A$ the point for which the curve has its maximum $γ_min$.",
+                f"取曲线上 $γ_{{min}}$ 最大的一点为 {zh}。",
+                f"Take as {en} for which the curve has its maximum $γ_{{min}}$.",
             )
             if best
             else Words(
-                "取曲线上 $γ_min$ 等于给定值的点为 $A$。",
-                "Take as $A$ the points for which the curve has the given $γ_min$.",
+                f"取曲线上 $γ_{{min}}$ 等于给定值的点为 {zh}。",
+                f"Take as {en} for which the curve has the given $γ_{{min}}$.",
             ),
             SHEET,
-            again=Words(f"在此曲线上同样选取 $A{primes}$。", f"Choose $A{primes}$ on this curve in the same way."),
+            again=Words(f"在此曲线上同样选取 {zh}。", f"Choose {' and '.join(letters)} on this curve in the same way."),
         )
     if not places and curve is not None:
         _nowhere(draft, best)
     for t in places:
         if curve is not None:
-            curve.point(float(track.place(t)), degrees(track.least(t)), f"A{primes}")
+            curve.point(float(track.place(t)), degrees(track.least(t)), draft.letter("A"))
         yield track.on_sheet(draft, t)
 
 

@@ -61,7 +61,7 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     verdict = _judged((a, d), (b1, c1), (b2, c2), design.phi_12.si)
     drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
     crank_circle(draft, a, np.abs(b2 - a))
-    told = valued("φ_{12}", np.degrees(design.phi_12.si))
+    told = valued(draft, "φ_{12}", np.degrees(design.phi_12.si))
     marked(draft, a, (b1, b2), told, key="phi_12", turn=design.phi_12.si)
     rejected(draft, verdict)
     if verdict is Verdict.VALID:
@@ -114,6 +114,6 @@ def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Po
         ray = board.ray(d, 1 + 0j, board.given(psi.si, f"psi_{i}"))
         ends.append(pin(draft, f"C_{i}", board.lay_off(d, ray.along, draft.mm(design.CD.si))))
         board.join(SHEET, d, ends[-1], Role.CONSTRUCTION)
-        told = valued(f"ψ_{i}", np.degrees(psi.si))
+        told = valued(draft, f"ψ_{i}", np.degrees(psi.si))
         marked(draft, d, (axis, ends[-1]), told, key=f"psi_{i}", nth=i - 1, turn=psi.si)
     return a, d, ends[0], ends[1]

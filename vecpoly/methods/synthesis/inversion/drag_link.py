@@ -90,7 +90,7 @@ def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Poin
     crank_circle(draft, a, np.abs(b1 - a))
     for end in (b1, b2):
         board.join(SHEET, a, end, Role.CONSTRUCTION)
-    marked(draft, a, (b1, b2), valued("β", beta.value), turn=np.radians(beta.value))
+    marked(draft, a, (b1, b2), valued(draft, "β", beta.value), turn=np.radians(beta.value))
     return a, d, b1, b2
 
 

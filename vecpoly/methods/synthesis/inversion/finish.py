@@ -19,6 +19,7 @@ from ....names import Named
 from ....plane import Points, Reals, nominal
 from ....plane.geometry import dot
 from ....words import Words
+from ..angles import marked, valued
 from ..draft import SHEET
 from ..linkage import drawn, rejected
 from .judged import drives, judged, turns_fully
@@ -66,8 +67,12 @@ def _last_drives(sheet: Sheet) -> bool:
 
 
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
+    plan = sheet.plan
     if verdict is not Verdict.VALID:
-        return Words("连接第一位置的各铰链。", "Join the pins in the first position.")
+        pins = [f"${sheet.named(letter, 0)}$" for loop in plan.loops for letter in loop.letters]
+        return Words(
+            f"连接第一位置的各铰链 {'、'.join(pins)}。", f"Join the pins {', '.join(pins)} in the first position."
+        )
     also = (
         Words("和第一位置的方向角", " and the directions in the first position") if sheet.plan.either else Words("", "")
     )
@@ -147,7 +152,10 @@ def _ahead(sheet: Sheet) -> None:
         stands, at = sheet.bodies[stage.on][stage.kept], sheet.pins[stage.pin][stage.kept]
         named = Named(f"delta_{stage.pin}", f"δ_{{{stage.pin}}}", "deg")
         if stage.lies is None:
-            sheet.draft.stated(sheet.draft.of_this(named), _between(sheet, stands, at))
+            own = sheet.draft.of_this(named)
+            ahead = sheet.draft.stated(own, _between(sheet, stands, at)).value
+            told, ends = valued(sheet.draft, own.symbol, ahead), (stands.end, at)
+            marked(sheet.draft, stands.start, ends, told, key=own.key, turn=np.radians(ahead))
         elif stage.lies == On():  # on its line itself, on either side of the pivot
             sheet.draft.shared(named, np.where(dot(stands.along, at - stands.start) < 0, HALF, 0.0))
         else:

@@ -56,13 +56,14 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
     board.section(Words("求 $D$ 点和各构件长度", "The point $D$ and the lengths"))
     bisector: Line | None = None
     for way, side in zip((1, -1), SIDES, strict=True):
+        pin_d = draft.letter("D")
         board.step(
             Words(
-                f"$D$ 在 $C_{{1}}C_2$ 的中垂线上。$C_1$ 处的传动角为 $90° − α_1$：过 $C_1$ 在 $C_{{1}}A$ 的{side[0]}作"
-                f"与它成此角的直线，"
-                "与中垂线相交于 $D$。",
-                f"Point $D$ lies on the bisector of $C_{{1}}C_2$. The transmission angle at $C_1$ is $90° − α_1$: "
-                f"draw a line through $C_1$ at this angle to $C_{{1}}A$ {side[1]}; it meets the bisector at $D$.",
+                f"${pin_d}$ 在 $C_{{1}}C_2$ 的中垂线上。$C_1$ 处的传动角为 $90° − α_1$：过 $C_1$ 在 $C_{{1}}A$ 的"
+                f"{side[0]}作与它成此角的直线，与中垂线相交于 ${pin_d}$。",
+                f"Point ${pin_d}$ lies on the bisector of $C_{{1}}C_2$. The transmission angle at $C_1$ is "
+                f"$90° − α_1$: draw a line through $C_1$ at this angle to $C_{{1}}A$ {side[1]}; it meets the bisector "
+                f"at ${pin_d}$.",
             ),
             SHEET,
         )
@@ -74,7 +75,7 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
                 Words("此线与中垂线平行，不相交。", " The line is parallel to the bisector and does not meet it.")
             )
             continue
-        d = pivot(draft, draft.letter("D"), board.meet(ray, bisector, Words("求 $D$", "finding $D$")))
+        d = pivot(draft, pin_d, board.meet(ray, bisector, Words(f"求 ${pin_d}$", f"finding ${pin_d}$")))
         board.rule(SHEET, ray, d)
         marked(draft, c1, (a, d), "90° − α_1", nth=draft.number - 1)
         board.rule(SHEET, bisector, d)

@@ -127,7 +127,7 @@ def _advance(draft: Draft, c: Points, limits: tuple[tuple[Points, Points], tuple
     )
     (g1, _), (g2, _) = limits
     theta = draft.stated(draft.of_this(THETA), draft.angle(c, g1, g2))
-    marked(draft, c, (g1, g2), valued(f"{THETA.symbol} = {SWING.symbol}", theta.value), key=THETA.key)
+    marked(draft, c, (g1, g2), valued(draft, f"{THETA.symbol} = {SWING.symbol}", theta.value), key=THETA.key)
     draft.worked(draft.of_this(ADVANCE), (HALF_TURN + theta) / (HALF_TURN - theta))
     return theta
 
@@ -178,5 +178,5 @@ def _nearest(draft: Draft, radii: tuple[float, float], frame: Reals) -> None:
     for letter, at, dot in (("C", c, Dot.JOINT), ("A", a, Dot.JOINT), ("B′", b, Dot.JOINT), ("T", t, Dot.POINT)):
         board.plot(place, at, letter, dot)
     alpha = draft.stated(draft.of_this(ALPHA_MAX), draft.angle(b, c, t))
-    marked(draft, b, (c, t), valued(ALPHA_MAX.symbol, alpha.value), key=ALPHA_MAX.key, place=place)
+    marked(draft, b, (c, t), valued(draft, ALPHA_MAX.symbol, alpha.value), key=ALPHA_MAX.key, place=place)
     draft.worked(draft.of_this(GAMMA_MIN), RIGHT - alpha)

@@ -66,7 +66,7 @@ def _limits(draft: Draft, theta: Quantity) -> tuple[Points, tuple[Line, Line]]:
     c, half = pivot(draft, "C", 0j), theta.value * pi / 360
     bars = board.ray(c, UP, half, key="CD1"), board.ray(c, UP, -half, key="CD2")
     rays = tuple(c + FAR * bar.along for bar in bars)
-    marked(draft, c, (rays[0], rays[1]), valued(THETA.symbol, theta.value), key=THETA.key)
+    marked(draft, c, (rays[0], rays[1]), valued(draft, THETA.symbol, theta.value), key=THETA.key)
     return c, bars
 
 
@@ -193,4 +193,4 @@ def _pressure(draft: Draft, rod: float, at: Points, n: Points) -> None:
     board.join(SHEET, n, e, Role.CONSTRUCTION)
     slider(draft, (e,), 1 + 0j)
     alpha = draft.stated(draft.of_this(ALPHA_MAX), draft.angle(e, at, n))
-    marked(draft, e, (at, n), valued(ALPHA_MAX.symbol, alpha.value), key=ALPHA_MAX.key)
+    marked(draft, e, (at, n), valued(draft, ALPHA_MAX.symbol, alpha.value), key=ALPHA_MAX.key)

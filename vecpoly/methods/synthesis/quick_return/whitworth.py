@@ -52,10 +52,10 @@ def draw_whitworth(draft: Draft, design: Whitworth) -> None:
     board.depict(SHEET, block("block", ends[1], 1 + 0j))
     drawn(draft, (a, ends[1]), (a, ends[0]), (c, ends[0]))
     drawn(draft, (c, ends[1]))
-    marked(draft, a, ends, valued("β", beta.value))
+    marked(draft, a, ends, valued(draft, "β", beta.value))
     back = a + BACK * unit(a - ends[0])
     board.join(SHEET, a, back, Role.CONSTRUCTION)
-    marked(draft, a, (ends[1], back), valued(THETA.symbol, board.found[THETA.key]), key=THETA.key)
+    marked(draft, a, (ends[1], back), valued(draft, THETA.symbol, board.found[THETA.key]), key=THETA.key)
     order = np.abs(ends[0] - a), draft.mm(design.H.si) / 2, np.abs(a - c), a.real
     draft.candidate(Verdict.VALID, order, A=a, C=c, B1=ends[0], B2=ends[1])
 
