@@ -153,7 +153,7 @@ class ScrewJack(Device):
             f"A screw jack has {_THREADS[self.beta is not None].en}, {_starts(self.starts).en}, outer diameter $d$, "
             "root diameter $d_1$ and pitch $p$. The load $Q$ rests on a ring with the diameters $D$ and $d_0$; the "
             f"lever is $l$ long, and $F$ acts at its end; {self._friction.en}. The thread is reckoned at its mean "
-            "diameter.",
+            "diameter $d_2$.",
         )
 
     def told(self) -> tuple[Words, ...]:

@@ -101,15 +101,13 @@ class InlineEngine(Device):
         count = len(self.cranks)
         return Words(
             f"直列 {count} 缸机的缸距为 $a$，曲柄半径为 $r$，连杆长为 $l$，转速为 $n$，各缸的往复质量均为 $m$，各曲柄"
-            f"的方位角为 $α_i${order.zh}。各缸的质径积为 $m r$，$W$ 为其矢量和，$C$ 为各质径积对中间平面之矩的矢量和，"
-            "由此得惯性力 $F$ 和惯性力偶 $M$ 的幅值；$θ_I$、$θ_{II}$、$θ_{MI}$、$θ_{MII}$ 为 $W$ 和 $C$ 的方位"
-            "角，下标 I、II 为阶数，二阶各矢量的方位角为 $2α_i$。",
+            f"的方位角为 $α_i${order.zh}。由各缸质径积 $m r$ 的矢量和 $W$ 及其对中间平面之矩的矢量和 $C$ 得惯性力 $F$ "
+            "和惯性力偶 $M$ 的幅值；下标 I、II 为阶数，二阶各矢量的方位角为 $2α_i$。",
             f"An in-line engine has {count} cylinders at the distance $a$, the crank radius $r$, rods of length $l$, "
             "the speed $n$, the same reciprocating mass $m$ in each cylinder and its cranks at the angles "
-            f"$α_i${order.en}. $W$ is the vector sum of the products $m r$ of all cylinders, $C$ that of their "
-            "moments about the middle plane; from them follow the amplitudes of the inertia force $F$ and of the "
-            "inertia couple $M$. $θ_I$, $θ_{II}$, $θ_{MI}$ and $θ_{MII}$ are the directions of $W$ and $C$; "
-            "the subscripts I and II are the order, and in the second the vectors stand at $2α_i$.",
+            f"$α_i${order.en}. From the vector sum $W$ of the products $m r$ of all cylinders and from that of their "
+            "moments about the middle plane, $C$, follow the amplitudes of the inertia force $F$ and of the inertia "
+            "couple $M$. The subscripts I and II are the order; in the second the vectors stand at $2α_i$.",
         )
 
     def told(self) -> tuple[Words, ...]:

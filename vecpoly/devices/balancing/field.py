@@ -155,12 +155,17 @@ class FieldBalancing(Device):
                 f"{stays.en[0].upper()}{stays.en[1:]}; the correction sits at the radius $r_b$.",
             )
         runs = len(self.trials)
+        two = Words(
+            "；第二个下标为解的序号，按方位角排列",
+            "; the second subscript is the number of the solution, by their angles",
+        )
+        which = two if runs < MOST else Words("", "")
         return Words(
             f"只测振幅。转子的初始振幅为 $V_0$；把试重 $m_t$ 装在半径 $r_t$ 处，方位依次为 $θ_{{ti}}$，测得振幅 $V_i$"
-            f"（$i$ = 1～{runs}）。{stays.zh}，校正质量装在半径 $r_b$ 处。",
+            f"（$i$ = 1～{runs}）。{stays.zh}，校正质量装在半径 $r_b$ 处{which.zh}。",
             "Only amplitudes are measured. The rotor first shows $V_0$; with the trial weight $m_t$ at the radius "
             f"$r_t$ in the directions $θ_{{ti}}$ in turn it shows $V_i$ ($i$ = 1 to {runs}). "
-            f"{stays.en[0].upper()}{stays.en[1:]}; the correction sits at the radius $r_b$.",
+            f"{stays.en[0].upper()}{stays.en[1:]}; the correction sits at the radius $r_b${which.en}.",
         )
 
     def told(self) -> tuple[Words, ...]:

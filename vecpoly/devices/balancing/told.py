@@ -85,7 +85,8 @@ def rotor_task(
     given: Sequence[str], ends: Sequence[str] | None, planes: Sequence[str], asked: Collection[str]
 ) -> Words:
     """Of a rotor with these symbols; ends: subscripts of the planes, None of masses that balance each other."""
-    return sentence(_head(ends, planes), *defined(given, _MASSES), *(_residual(ends, asked) if ends else ()))
+    rest = _residual(ends, asked) if ends is not None else _answers(asked)
+    return sentence(_head(ends, planes), *defined(given, _MASSES), *rest)
 
 
 def _head(ends: Sequence[str] | None, planes: Sequence[str]) -> Words:
@@ -103,6 +104,17 @@ def _head(ends: Sequence[str] | None, planes: Sequence[str]) -> Words:
         f"转子的不平衡质量在两个平面 {'、'.join(planes)} 内校正（动平衡）",
         f"the unbalanced masses of a rotor are corrected in two planes, {' and '.join(planes)} (dynamic balance)",
     )
+
+
+def _answers(asked: Collection[str]) -> Iterator[Words]:
+    """Where couples count from, and which subscript is that of a solution."""
+    if any(key.startswith("C_") for key in asked):
+        yield Words(
+            "质径积的矩 $C$ 以质量和方位均待求的偏心质量所在平面为基准面",
+            "the couples $C$ count from the plane of the mass of which neither size nor direction is given",
+        )
+    if any(key.endswith("_2") for key in asked):
+        yield Words("第二个下标为解的序号", "the second subscript is the number of the solution")
 
 
 def _residual(ends: Sequence[str], asked: Collection[str]) -> Iterator[Words]:
