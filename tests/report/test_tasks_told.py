@@ -19,12 +19,16 @@ from vecpoly.errors import VecpolyError
 from vecpoly.foundation.slotted import replace
 from vecpoly.names import Named
 from vecpoly.problem.library import library
-from vecpoly.problem.load import loads
+from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
+from vecpoly.report.content import beside_tables
+from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.ruled import NONE as BLANK
 from vecpoly.report.statement.given_data import given_data
 from vecpoly.report.statement.meant import meant_by
 from vecpoly.report.statement.task import task
 from vecpoly.report.values import asked_as, is_worded
+from vecpoly.solution import solve
 from vecpoly.words import Lang, Words
 
 LANGS: tuple[Lang, ...] = ("zh", "en")
@@ -138,3 +142,21 @@ def nameless(one: Named, lang: Lang) -> list[str]:
     if is_worded(one.key, one.unit):
         return [part for sign in _SIGN.findall(name) for part in _PARTS.split(bare(sign)) if part]
     return [one.symbol] if name == f"${one.symbol}$" else []
+
+
+def test_what_a_synthesis_without_a_solution_is_asked_has_its_name_all_the_same() -> None:
+    """γ_min alone, without its name, gave away that there is none."""
+    lost, found = solve(loads(EVERY["drag-link-of-none"])), solve(load("drag-link"))
+    assert not lost.answers and found.answers
+    for lang in LANGS:
+        names = [{row[0] for row in empty_table(one, lang).rows} for one in (lost, found)]
+        assert names[0] == names[1]
+
+
+def test_a_cell_that_is_left_over_of_two_blocks_is_shaded() -> None:
+    rows = empty_table(solve(load("2-11")), "zh").rows
+    assert rows[-1][:2] == (BLANK, BLANK) and all("" not in row[::2] for row in rows)
+
+
+def test_a_jack_whose_load_is_sought_tells_the_load_for_which_its_polygon_is_drawn() -> None:
+    assert "$Q_1$ = 1000 N" in beside_tables(solve(load("5-5")), "en")["given"]
