@@ -155,6 +155,6 @@ def test_a_mass_beside_the_line_of_its_pins_is_told_once_with_both_angles() -> N
         "{along: BC, at: 120 mm}", "{along: BC, at: 120 mm, left: 30 mm}"
     )
     steps = vecpoly.loads(text).solve(by="exact").construction.steps
-    beside = [step.remark.en for step in steps if step.remark is not None and "does not lie" in step.remark.en]
+    beside = [step.words.en for step in steps if "does not lie" in step.words.en]
     assert [one.count("does not lie") for one in beside] == [1]
     assert "$m_{B2}$" in beside[0] and "that of $m_{C2}$" in beside[0]

@@ -121,7 +121,7 @@ class CrankRocker(Design):
         if self.gamma_min is not None:
             yield Words("最小传动角为 $γ_{min}$", "the minimum transmission angle is $γ_{min}$")
         if self.best is not None:
-            yield Words("使最小传动角 $γ_{min}$ 最大", "and its minimum transmission angle $γ_{min}$ is to be greatest")
+            yield Words("使最小传动角 $γ_{min}$ 最大", "its minimum transmission angle $γ_{min}$ is to be greatest")
         if self.A is not None:
             yield _ORIGIN + carried("A", self.A)
 

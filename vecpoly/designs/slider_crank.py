@@ -67,8 +67,7 @@ class SliderCrank(Design):
                 "design an offset slider-crank, whose crank $AB$ turns about $A$ and drives the slider $C$ through the "
                 "coupler $BC$",
             ),
-            Words("滑块的行程为 $H$", "the stroke of the slider $H$") + Words("", " and"),
-            RETURN + Words("已知", " are given"),
+            Words("滑块的行程 $H$ 和", "the stroke $H$ of the slider and ") + RETURN + Words("已知", " are given"),
             guide,
         )
 

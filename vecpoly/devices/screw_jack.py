@@ -149,7 +149,7 @@ class ScrewJack(Device):
         return Words(
             f"螺旋千斤顶采用{_THREADS[self.beta is not None].zh}，{_starts(self.starts).zh}，大径 $d$，小径 $d_1$，螺"
             f"距 $p$；载荷 $Q$ 由外径 $D$、内径 $d_0$ 的环面支承，手柄长 $l$，端部作用力 $F$；{self._friction.zh}。螺"
-            "纹按平均直径计算。",
+            "纹按平均直径 $d_2$ 计算。",
             f"A screw jack has {_THREADS[self.beta is not None].en}, {_starts(self.starts).en}, outer diameter $d$, "
             "root diameter $d_1$ and pitch $p$. The load $Q$ rests on a ring with the diameters $D$ and $d_0$; the "
             f"lever is $l$ long, and $F$ acts at its end; {self._friction.en}. The thread is reckoned at its mean "

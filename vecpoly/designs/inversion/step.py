@@ -62,7 +62,7 @@ class Step(BaseModel):
                 f"{lies.en}",
             )
         if self.join is not None and self.to is not None:
-            one, two = self.to
+            one, two = self.to[0], self.to[1]
             side = Words("左", "left") if self.side == "left" else Words("右", "right")
             return Words(
                 f"铰链 ${self.join}$ 由杆 ${self.join}{one}$、${self.join}{two}$ 与 ${one}$、${two}$ 相连，在由 "

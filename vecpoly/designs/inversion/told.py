@@ -96,8 +96,8 @@ def positions_task(count: int, lines: Sequence[tuple[str, OnLine, bool]], asked:
         ),
         Words(
             "$A$、$D$ 为固定铰链，$B$、$C$ 为 $S$ 上的活动铰链，$AB$、$DC$ 为连架杆",
-            "whose pivots $A$ and $D$ lie on the frame and whose pins $B$ and $C$ lie on $S$, with the links $AB$ "
-            "and $DC$",
+            "its pivots $A$ and $D$ lie on the frame, its pins $B$ and $C$ on $S$; $AB$ and $DC$ are its links on "
+            "the frame",
         ),
         *(carried(letter, line, primed=primed) for letter, line, primed in lines),
         _COUNTED,
@@ -140,10 +140,12 @@ def _known(given: Pieces) -> Iterator[Words]:
         bars = listed(given.links)
         yield Words(f"构件 {bars.zh} 的长度已知", f"the lengths of {bars.en} are given")
     for ray in given.rays:
-        whose = f"${ray[0]}$ 为滑块铰链" if ray[0] in given.points else f"构件绕 ${ray[0]}$ 转动"
+        pinned = ray[0] in given.points
+        whose = f"${ray[0]}$ 为滑块铰链" if pinned else f"构件绕 ${ray[0]}$ 转动"
+        what = f"${ray[0]}$ being the pin of a slider" if pinned else f"which turns about ${ray[0]}$"
         yield Words(
             f"$φ_{{{ray}}}$ 为构件上标线 ${ray}$ 在各位置的方向角（{whose}）",
-            f"$φ_{{{ray}}}$ are the directions of a line ${ray}$ of a link in its positions",
+            f"$φ_{{{ray}}}$ are the directions of a line ${ray}$ of a link in its positions ({what})",
         )
     for pin in given.points:
         yield Words(

@@ -20,7 +20,7 @@ def train_task(asked: Collection[str], *, stepped: bool, ring: bool) -> Words:
     points = _points(asked)
     first = Words("第一对齿轮的", " of the first pair") if stepped else Words("", "")
     return Words(
-        f"周转轮系中，{planet.zh}{other.zh}啮合，$O_2$ 为行星轮轴心，$H$ 为系杆；$z_i$ 为轮 $i$ 的齿数，$m$ 为"
+        f"周转轮系中，{planet.zh}{other.zh} 啮合，$O_2$ 为行星轮轴心，$H$ 为系杆；$z_i$ 为轮 $i$ 的齿数，$m$ 为"
         f"{first.zh}模数，$ω_i$ 为构件 $i$ 的角速度，逆时针为正，固定的构件为 0{points.zh}。",
         f"In an epicyclic train {planet.en} {other.en}; $O_2$ is the planet's centre, $H$ the carrier. Gear $i$ has "
         f"$z_i$ teeth, $m$ is the module{first.en}; the angular velocity $ω_i$ of link $i$ counts positive "
