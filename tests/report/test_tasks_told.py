@@ -17,7 +17,8 @@ from vecpoly.devices.base import Device
 from vecpoly.devices.base import kinds as devices
 from vecpoly.errors import VecpolyError
 from vecpoly.foundation.slotted import replace
-from vecpoly.names import Named
+from vecpoly.names import Named, Rel
+from vecpoly.problem.asked.asks import AskNamed
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
@@ -94,8 +95,7 @@ def everything_asked(problem: Problem) -> Problem:
     """The same problem, all asked of it that may be asked."""
     subject = problem.subject
     assert isinstance(subject, Device | Design)
-    asks = tuple(replace(problem.asks[0], rel=named) for named in subject.quantities())
-    return replace(problem, asks=asks)
+    return replace(problem, asks=tuple(AskNamed(rel=one) for one in subject.quantities()))
 
 
 def told(problem: Problem, lang: Lang) -> set[str]:
@@ -106,7 +106,7 @@ def told(problem: Problem, lang: Lang) -> set[str]:
 
 @each(KINDS)
 def test_every_device_and_every_synthesis_tells_its_task(kind: str) -> None:
-    own = [task(problem) for problem in untold().values() if problem.subject.kind == kind]
+    own = [task(problem) for problem in untold().values() if isinstance(problem.subject, KINDS[kind])]
     assert own
     assert all(one.zh.endswith("。") and one.en.endswith(".") and one.zh != one.en for one in own)
 
@@ -136,7 +136,7 @@ def named(problem: Problem) -> list[str]:
     return [one.symbol for one in rels if meant_by(problem.subject, one.key, f"${one.symbol}$") is not None]
 
 
-def nameless(one: Named, lang: Lang) -> list[str]:
+def nameless(one: Named | Rel, lang: Lang) -> list[str]:
     """The symbols of a quantity that stand without a name where it is asked; of a verdict those that it is about."""
     name = asked_as(one.symbol, one.key, lang)
     if is_worded(one.key, one.unit):
