@@ -22,7 +22,7 @@ from ...words import Words
 _ENGINE = {
     "lambda": Words("曲柄连杆比", "crank-rod ratio"),
     "theta_I+": Words("质径积矢量和的方位角", "direction of the vector sum of the products"),
-    "theta_MI+": Words("质径积矩矢量和的方位角", "direction of the vector sum of their moments"),
+    "theta_MI+": Words("质径积矩矢量和的方位角", "direction of the vector sum of the moments"),
     "W_I+": Words("质径积的矢量和", "vector sum of the products"),
     "F_I+": Words("惯性力", "inertia force"),
     "C_I+": Words("质径积对中间平面之矩的矢量和", "vector sum of the moments of the products"),
