@@ -60,6 +60,27 @@ def many(count: int, what: str) -> str:
     )
 
 
+_JOINTS = (" (", " of ", " of", " between ", " at ", " on ", " counter-clockwise ")
+
+
+def plural(name: str) -> str:
+    """The name of several: balancing masses, angular positions of the holes; what follows a bracket stays."""
+    ends = [at for joint in _JOINTS if (at := name.find(joint)) >= 0]
+    head, rest = (name[: min(ends)], name[min(ends) :]) if ends else (name, "")
+    joint = next((one for one in _JOINTS if rest.startswith(one)), "")
+    tail = rest.removeprefix(joint)
+    each = tail.startswith("the ") and head.endswith("position")  # of things of which there are several
+    return f"{_several(head)}{joint}{plural(tail) if each else tail}"
+
+
+def _several(noun: str) -> str:
+    if noun.endswith("radius"):
+        return noun.removesuffix("us") + "i"
+    if noun.endswith("ty"):
+        return noun.removesuffix("y") + "ies"
+    return noun + ("es" if noun.endswith("s") else "s")
+
+
 def stopped(text: str, lang: Lang) -> str:
     """A sentence with its full stop, where it has none."""
     return text if text.rstrip(" ")[-1:] in _STOPS else text + ("。" if lang == "zh" else ".")

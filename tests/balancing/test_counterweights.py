@@ -148,3 +148,13 @@ def test_the_common_centre_of_a_balanced_four_bar_is_that_of_the_masses_at_its_p
         problem.mechanism, problem.counterweights, counterweights(problem.mechanism, problem.counterweights)
     )
     assert found.centre.mean() == pytest.approx((0.9 + 1.89 + 0.6) / 5.79 * 0.26, rel=1e-9)
+
+
+def test_a_mass_beside_the_line_of_its_pins_is_told_once_with_both_angles() -> None:
+    text = vecpoly.load("balance-four-bar").text.replace(
+        "{along: BC, at: 120 mm}", "{along: BC, at: 120 mm, left: 30 mm}"
+    )
+    steps = vecpoly.loads(text).solve(by="exact").construction.steps
+    beside = [step.words.en for step in steps if "does not lie" in step.words.en]
+    assert [one.count("does not lie") for one in beside] == [1]
+    assert "$m_{B2}$" in beside[0] and "that of $m_{C2}$" in beside[0]

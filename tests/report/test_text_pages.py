@@ -14,8 +14,8 @@ from vecpoly.report.answers.box import answer_box
 from vecpoly.report.heads import unit_column, united
 from vecpoly.report.on_paper import on_paper
 from vecpoly.report.picture import picture
-from vecpoly.report.statement.meant import plural
 from vecpoly.solution import solve
+from vecpoly.words import plural
 
 
 def test_points_of_a_link_that_only_translates_have_one_line_one_answer_and_one_row() -> None:

@@ -110,6 +110,11 @@ class Design(BaseModel):
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
 
+    def task(self, asked: Collection[str]) -> Words:
+        """What is given and sought, in which letters, from where its angles count: what is told where a problem file
+        has no statement; asked: the keys of what is asked."""
+        return Words.same("")
+
     @property
     def is_given(self) -> bool:
         """Whether all lengths of the linkage are given, and only what it does is sought; H is what it does."""

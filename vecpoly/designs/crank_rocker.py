@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping
 from math import degrees, isclose, pi, radians
 from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
 from ..devices.base import Angle, Length, as_written
+from ..devices.defined import sentence
 from ..errors import FaultError
 from ..foundation.bounds import ROUNDED
 from ..names import Named
@@ -16,8 +17,8 @@ from ..words import Words
 from .base import Advance, Design, between_limits
 from .inversion.written import said
 from .linkages import four_bar
-from .place import Carried
-from .quantities import AB, AD, BC, FOUR_BAR, GAMMA_MIN, SWING, THETA
+from .place import Carried, carried
+from .quantities import AB, AD, BC, FOUR_BAR, GAMMA_MIN, RETURN, SWING, THETA
 from .quantities import K as ADVANCE
 
 _ONE_MORE = ("AD", "AB", "BC", "gamma_min", "A", "best")
@@ -96,6 +97,34 @@ class CrankRocker(Design):
                     numbers={name: angle.si},
                 )
 
+    def task(self, asked: Collection[str]) -> Words:
+        """A crank-rocker from its time ratio."""
+        return sentence(
+            Words(
+                "设计曲柄摇杆机构 $ABCD$：曲柄 $AB$ 为原动件，$BC$ 为连杆，$CD$ 为摇杆，$AD$ 为机架",
+                "design a crank-rocker $ABCD$ with the driving crank $AB$, the coupler $BC$, the rocker $CD$ and the "
+                "frame $AD$",
+            ),
+            RETURN + Words("已知", " is given"),
+            *self._more(),
+        )
+
+    def _more(self) -> Iterator[Words]:
+        """What is given of the rocker's limits, and beside."""
+        if self.swing is not None:
+            yield Words("摇杆的摆角为 $ψ$", "the rocker swings by $ψ$")
+        if self.ADC is not None:
+            yield Words(
+                "$∠ADC$ 为摇杆在一个极限位置与机架的夹角",
+                "$∠ADC$ is the angle of frame and rocker in one limit position",
+            )
+        if self.gamma_min is not None:
+            yield Words("最小传动角为 $γ_{min}$", "the minimum transmission angle is $γ_{min}$")
+        if self.best is not None:
+            yield Words("使最小传动角 $γ_{min}$ 最大", "its minimum transmission angle $γ_{min}$ is to be greatest")
+        if self.A is not None:
+            yield _ORIGIN + carried("A", self.A)
+
     def quantities(self) -> tuple[Named, ...]:
         """θ, the four lengths, swing and least transmission angle, K."""
         return (THETA, *FOUR_BAR, SWING, GAMMA_MIN, ADVANCE)
@@ -127,3 +156,9 @@ class CrankRocker(Design):
     def size(self) -> float:
         """The rocker."""
         return 2 * self.CD.si
+
+
+_ORIGIN = Words(
+    "$D$ 为坐标原点，摇杆的两极限位置对称于 $y$ 轴，",
+    "$D$ is the origin, the limit positions lie evenly beside the $y$ axis, and ",
+)

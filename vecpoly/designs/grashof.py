@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import ClassVar
 
 from pydantic import model_validator
@@ -54,6 +55,16 @@ class Grashof(Design):
                 code="out-of-range",
             )
         return self
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A chain, each link of which may be the frame."""
+        return Words(
+            "铰链四杆机构 $ABCD$ 各杆 $AB$、$BC$、$CD$、$AD$ 的长度已知。判断以 $AD$ 为机架时有无曲柄，以哪一杆为机架"
+            "得双曲柄机构，以哪一杆为机架得双摇杆机构。",
+            "The lengths of the links $AB$, $BC$, $CD$ and $AD$ of a four-bar chain $ABCD$ are given. Find whether "
+            "there is a crank with $AD$ as the frame, which link as the frame gives a double crank, and which a "
+            "double rocker.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """Both sums of the condition; the bounds of CD as the frame of a double rocker; the lengths."""

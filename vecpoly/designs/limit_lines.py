@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from math import pi
 from typing import Any, ClassVar
 
@@ -45,6 +45,18 @@ class LimitLines(Design):
         if self.C1.at == self.C2.at:
             raise FaultError(Words("C1 与 C2 重合；应为两个点", "C1 and C2 coincide; two points are needed"))
         return self
+
+    def task(self, asked: Collection[str]) -> Words:
+        """The coupler's lines in the limit positions."""
+        return Words(
+            "设计曲柄摇杆机构 $ABCD$（曲柄 $AB$，连杆 $BC$，摇杆 $CD$，机架 $AD$）。在摇杆的两极限位置，$C$ 位于 "
+            "$C_1$、$C_2$，连杆分别在过这两点的给定直线上，直线的方向角 $δ_1$、$δ_2$ 自 $x$ 轴正向起、逆时针为正；"
+            "$C_1$ 处的压力角为 $α_1$。",
+            "Design a crank-rocker $ABCD$ (crank $AB$, coupler $BC$, rocker $CD$, frame $AD$). In the limit "
+            "positions of the rocker $C$ lies at $C_1$ and $C_2$ and the coupler on two given lines through these "
+            "points, whose directions $δ_1$ and $δ_2$ count counter-clockwise from the $x$ axis; the pressure angle "
+            "at $C_1$ is $α_1$.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """θ, K, the four lengths, swing and least transmission angle."""

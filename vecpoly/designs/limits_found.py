@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, ClassVar
 
 from ..devices.base import Beside, Length, as_written
 from ..names import Named
+from ..words import Words
 from .base import Design
 from .linkages import four_bar, guide_bar, slider_crank
 from .quantities import AB as CRANK
@@ -24,6 +25,15 @@ class CrankRockerLimits(Design):
     BC: Length
     CD: Length
     AD: Length
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A crank-rocker in its limit positions."""
+        return Words(
+            "曲柄摇杆机构 $ABCD$ 的曲柄 $AB$ 为原动件，$BC$ 为连杆，$CD$ 为摇杆，$AD$ 为机架，各构件的长度已知；作出"
+            "其两极限位置。",
+            "The crank $AB$ drives the crank-rocker $ABCD$, with the coupler $BC$, the rocker $CD$ and the frame $AD$; "
+            "the lengths are given. Draw it in its limit positions.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """θ, K, swing, least transmission angle; the lengths as given."""
@@ -50,6 +60,17 @@ class SliderCrankLimits(Design):
     AB: Length
     BC: Length
     e: Beside | None = None
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A slider-crank in its limit positions."""
+        offset = Words("在 $A$ 下方 $e$ 处", "at the distance $e$ below $A$")
+        guide = offset if self.e is not None else Words("通过 $A$", "through $A$")
+        return Words(
+            f"曲柄滑块机构的曲柄 $AB$ 绕 $A$ 转动，为原动件，经连杆 $BC$ 带动滑块 $C$，滑块的水平导路{guide.zh}；作出"
+            "其两极限位置。",
+            "The crank $AB$, which turns about $A$, drives the slider $C$ through the coupler $BC$ along a level guide "
+            f"{guide.en}. Draw the mechanism in its limit positions.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """θ, K, stroke, greatest pressure and least transmission angle; the lengths as given."""
@@ -82,6 +103,17 @@ class GuideBarLimits(Design):
     AB: Length
     AC: Length
     e: Beside | None = None
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A guide bar in its limit positions."""
+        offset = Words("导杆的槽中线到 $C$ 的距离为 $e$", "the line of whose slot passes at the distance $e$ from $C$")
+        line = offset if self.e is not None else Words("槽中线过 $C$", "the line of whose slot passes through $C$")
+        return Words(
+            f"摆动导杆机构的曲柄 $AB$ 绕 $A$ 转动，为原动件，经滑块 $B$ 带动导杆绕 $C$ 摆动，{line.zh}，$AC$ 为机架；"
+            "作出其两极限位置。",
+            "The crank $AB$, which turns about $A$, drives through the block $B$ a guide bar that swings about $C$, "
+            f"{line.en}; $AC$ is the frame. Draw the mechanism in its limit positions.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """θ, K, swing, greatest pressure and least transmission angle; the lengths as given."""

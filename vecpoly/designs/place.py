@@ -40,6 +40,14 @@ def _line(text: Any) -> OnLine:
     return OnLine(at, along, text)
 
 
+def carried(letter: str, line: OnLine, *, primed: bool = False) -> Words:
+    """A 在直线 y = y_A 上; primed: in the coordinates of a body."""
+    axis = "y" if line.along.real else "x"
+    mark = "′" if primed else ""
+    symbol = f"${axis}{mark}$ = ${axis}{mark}_{{{letter}}}$"
+    return Words(f"${letter}$ 在直线 {symbol} 上", f"${letter}$ lies on the line {symbol}")
+
+
 Carried = Annotated[OnLine, BeforeValidator(_line), WithJsonSchema({"type": "string", "pattern": _LINE.pattern})]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..names import Named
+from ..words import Words
 
 AB, BC = Named("AB", "l_{AB}", "mm"), Named("BC", "l_{BC}", "mm")
 CD, AD = Named("CD", "l_{CD}", "mm"), Named("AD", "l_{AD}", "mm")
@@ -18,3 +19,6 @@ OFFSET, STROKE = Named("e", "e", "mm"), Named("H", "H", "mm")
 ALPHA_MAX = Named("alpha_max", "α_{max}", "deg")  # greatest pressure angle
 AC = Named("AC", "l_{AC}", "mm")
 HEIGHT = Named("h", "h", "mm")  # of the ram's guide above the pivot of the lever
+RETURN = Words(
+    "行程速比系数 $K$（慢行程与快行程的时间之比）", "the time ratio $K$ (of the slow stroke to the quick one)"
+)

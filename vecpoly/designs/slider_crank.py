@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from math import degrees
 from typing import Any, ClassVar
 
 from pydantic import model_validator
 
 from ..devices.base import Length, as_written
+from ..devices.defined import sentence
 from ..errors import FaultError
 from ..names import Named
 from ..words import Words
 from .base import Advance, Design, between_limits
 from .linkages import slider_crank
-from .quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE, THETA
+from .quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, RETURN, STROKE, THETA
 from .quantities import K as ADVANCE
 
 _VARIED = (OFFSET, AB, BC, ADVANCE)
@@ -55,6 +56,20 @@ class SliderCrank(Design):
             )
         self.one_of("e", "AB", "BC")
         return self
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A slider-crank from its time ratio."""
+        offset = self.e is not None or "e" in asked
+        guide = Words("$e$ 为导路到 $A$ 的偏距", "$e$ is the offset of the guide from $A$") if offset else Words("", "")
+        return sentence(
+            Words(
+                "设计偏置曲柄滑块机构：曲柄 $AB$ 绕 $A$ 转动，经连杆 $BC$ 带动滑块 $C$",
+                "design an offset slider-crank, whose crank $AB$ turns about $A$ and drives the slider $C$ through the "
+                "coupler $BC$",
+            ),
+            Words("滑块的行程 $H$ 和", "the stroke $H$ of the slider and ") + RETURN + Words("已知", " are given"),
+            guide,
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """θ, crank, coupler, offset, stroke, greatest pressure and least transmission angle, K."""

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from cmath import exp, phase
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from math import acos, degrees, pi
 from typing import Any, ClassVar
 
 from ..devices.base import Angle, Length, as_written
 from ..names import Named
+from ..words import Words
 from .base import Advance, Design
 from .inversion.built import posed_four_bar
 from .linkages import four_bar
@@ -31,6 +32,16 @@ class DeadCentre(Design):
     psi_1: Angle
     psi_2: Angle
     phi_12: Angle
+
+    def task(self, asked: Collection[str]) -> Words:
+        """Two positions, the second a dead centre."""
+        return Words(
+            "设计铰链四杆机构 $ABCD$，$A$ 为原点，机架 $AD$ 在 $x$ 轴上。连架杆 $DC$ 的两个位置 $ψ_1$、$ψ_2$ 自 $x$ "
+            "轴正向逆时针量起，$AB$ 在其间的转角为 $φ_{12}$（逆时针为正）；位置 2 为死点，$A$、$B$、$C$ 共线。",
+            "Design a four-bar linkage $ABCD$ with $A$ in the origin and the frame $AD$ on the $x$ axis. The "
+            "positions $ψ_1$ and $ψ_2$ of the link $DC$ count counter-clockwise from the $x$ axis, and so does the "
+            "turn $φ_{12}$ of $AB$ between them; in the second, a dead centre, $A$, $B$ and $C$ lie in one line.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """The four lengths."""
@@ -80,6 +91,18 @@ class DragLink(Design):
     K: Advance
     phi_1: Angle
     psi_1: Angle
+
+    def task(self, asked: Collection[str]) -> Words:
+        """Two cranks, the first turning faster in one half of the second."""
+        return Words(
+            "设计双曲柄机构 $ABCD$，$A$ 为原点，机架 $AD$ 在 $x$ 轴上，主动曲柄 $AB$ 和从动曲柄 $DC$ 均逆时针转动，"
+            "$K$ 为行程速比系数：$DC$ 由方向角 $ψ_1$ 转过 180° 时，$AB$ 由方向角 $φ_1$ 转过 360°/($K$ + 1)；方向角自 "
+            "$x$ 轴正向逆时针量起。",
+            "Design a drag-link mechanism $ABCD$ with $A$ in the origin and the frame $AD$ on the $x$ axis; the "
+            "driving crank $AB$ and the driven crank $DC$ turn counter-clockwise. $K$ is its time ratio: while $DC$ "
+            "turns through 180° from the direction $ψ_1$, $AB$ turns through 360°/($K$ + 1) from $φ_1$; directions "
+            "count counter-clockwise from the $x$ axis.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """The four lengths, the least transmission angle, K."""

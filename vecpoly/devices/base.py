@@ -130,6 +130,11 @@ class Device(BaseModel):
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
 
+    def task(self, asked: Collection[str]) -> Words:
+        """What it is, what its symbols are, from where its angles count: what is told where a problem file has no
+        statement; asked: the keys of what is asked."""
+        return Words.same("")
+
     def tabled(self) -> Mapping[str, Tabled | None]:
         """By their symbols what of this stands in a table; None of what stands in the line all the same."""
         return {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Collection
 from math import atan, cos, sin
 from typing import ClassVar, Literal
 
@@ -84,6 +85,24 @@ class EccentricClamp(Device):
     def limited(self) -> bool:
         """Whether too large an e would open the clamp: with the centre at some angles it never does."""
         return self.turn * cmath.rect(1.0, self.theta.si + self.turn * atan(self.f.si)).real < -1e-9
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A disc on a pin beside its centre."""
+        sense = Words("逆时针", "counter-clockwise") if self.turn > 0 else Words("顺时针", "clockwise")
+        pin = Words("，销轴的摩擦圆半径为 $ρ$", "; the friction circle of the pin has the radius $ρ$")
+        circle = pin if self.rho else Words("，销轴的摩擦不计", "; the pin has no friction")
+        return Words(
+            "半径为 $R$、圆心为 $O$ 的偏心圆盘 1 绕机架 3 上的销轴 $A$ 转动，偏心距 $AO$ = $e$，从上方压紧工件 2 的水"
+            f"平面，夹紧时{sense.zh}转动；力 $F$ 作用于长为 $l$ 的手柄端点。$AO$、手柄和 $F$ 的方向角依次为 $θ_O$、"
+            f"$θ_l$、$θ_F$，自 $x$ 轴正向逆时针量起。接触处的摩擦系数为 $f${circle.zh}，所需的法向夹紧力为 $Q$。撤去 "
+            "$F$ 后，工件反力对 $A$ 的力臂为 $h$。",
+            "The eccentric disc 1 of radius $R$ and centre $O$ turns about the pin $A$ of the frame 3, with $AO$ = "
+            f"$e$, and presses from above on the horizontal face of workpiece 2; it closes {sense.en}. $F$ acts at "
+            "the end of the handle of length $l$. The directions of $AO$, handle and $F$, counter-clockwise from the "
+            f"$x$ axis, are $θ_O$, $θ_l$ and $θ_F$. The coefficient of friction on the work is $f${circle.en}; the "
+            "normal clamping force is to be $Q$. When $F$ is gone, the reaction of the work has the arm $h$ about "
+            "$A$.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """φ, reactions, the force on the handle with and without friction, η;

@@ -77,6 +77,21 @@ class Incline(Device):
         """α in rad, as given or at the limit of self-locking."""
         return self.alpha.si if self.alpha is not None else atan(self.f.si)
 
+    def task(self, asked: Collection[str]) -> Words:
+        """A block that is driven up a plane."""
+        slope = (
+            Words("倾角为 $α$", "at the slope $α$")
+            if self.alpha is not None
+            else Words("倾角取自锁的极限角 $α_{lim}$", "at the limit $α_{lim}$ of self-locking")
+        )
+        return Words(
+            f"重 $Q$ 的滑块 1 放在斜面 2 上，斜面{slope.zh}，摩擦系数为 $f$。力 $F$ 与水平方向成 $β$ 角（高于水平为"
+            "正），使滑块等速上滑（正行程）；反行程中力 $F'$ 沿同一方向作用，滑块等速下滑。",
+            f"Block 1 of weight $Q$ rests on the plane 2 {slope.en}; the coefficient of friction is $f$. A force $F$ "
+            "at the angle $β$ above the horizontal drives it up steadily; on the return stroke a force $F'$ in the "
+            "same line lets it slide down steadily.",
+        )
+
     def quantities(self) -> tuple[Named, ...]:
         """φ, limit of α; up: F, F by formula, R_21, F without friction, η; down: F' that holds, η'."""
         return PHI, LIMIT, DRIVE, BY_SINES, REACTION, IDEAL, ETA, HOLD, ETA_BACK

@@ -11,15 +11,17 @@ train:
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable
 from typing import ClassVar
 
 from pydantic import model_validator
 
 from ..errors import FaultError
 from ..names import Named
-from ..words import Words
+from ..words import Words, joined
 from .base import Device
-from .train import Part, check_train, ends, partings, parts
+from .defined import defined, sentence
+from .train import Part, Train, check_train, ends, partings, parts
 
 
 class PowerTrain(Device):
@@ -44,6 +46,33 @@ class PowerTrain(Device):
             )
         return self
 
+    def task(self, asked: Collection[str]) -> Words:
+        """What drives what, with the efficiency of each, and what the ends deliver."""
+        row = self._row(self.train)
+        driven = Words(f"电动机依次经{row.zh}输出功率", f"a motor delivers its power through {row.en}")
+        return sentence(driven, _ETAS, *defined((symbol for symbol, _ in self.given()), _LOADS))
+
+    def _row(self, train: Train) -> Words:
+        """带传动（$η_b$）、齿轮副（$η_g$）; where it parts, each branch with the letters of its ends."""
+        told = []
+        for part in train:
+            if part.parallel is not None:
+                ways = [self._row(branch) for branch in part.parallel]
+                zh = "、".join(f"【{way.zh}】" for way in ways)
+                en = joined([Words.same(f"[{way.en}]") for way in ways]).en
+                told.append(Words(f"并联的{zh}", f"the parallel branches {en}"))
+                continue
+            name = _CALLED[part.kind]
+            letter = next((f" ${one}$" for one, end in self._ends if end is part and len(self.letters) > 1), "")
+            told.append(
+                Words(f"{name.zh}{letter}（${self.symbol(part)}$）", f"{name.en}{letter} (${self.symbol(part)}$)")
+            )
+        return Words("、".join(one.zh for one in told), ", ".join(one.en for one in told))
+
+    @property
+    def _ends(self) -> Iterable[tuple[str, Part]]:
+        return zip(self.letters, ends(self.train), strict=True)
+
     def quantities(self) -> tuple[Named, ...]:
         """η of each parallel part from the outermost, of the whole;
         the motor's power, and its share for each end (kW)."""
@@ -62,8 +91,9 @@ class PowerTrain(Device):
         )
         loads: list[tuple[str, str]] = []
         for letter, end in zip(self.letters, ends(self.train), strict=True):
-            sub = "" if one else f"_{letter}"
-            loads += [(f"{s}{sub}", q.text) for s, q in (("P", end.P), ("F", end.F), ("v", end.v)) if q]
+            sub, power = ("", "P_r") if one else (f"_{letter}", f"P_{letter}")
+            loads += [(power, end.P.text)] if end.P else []
+            loads += [(f"{s}{sub}", q.text) for s, q in (("F", end.F), ("v", end.v)) if q]
         return (*etas, *loads)
 
     @property
@@ -104,3 +134,24 @@ def share(letter: str) -> Named:
 def eta_prime(index: int, count: int) -> Named:
     """η′: what the branches deliver over what they take, the outermost first."""
     return Named("eta_prime", "η′", "") if count == 1 else Named(f"eta_prime_{index + 1}", f"η′_{index + 1}", "")
+
+
+_CALLED = {
+    "belt": Words("带传动", "a belt"),
+    "chain": Words("链传动", "a chain"),
+    "gear": Words("齿轮副", "a pair of gears"),
+    "worm": Words("蜗杆传动", "a worm drive"),
+    "bearing": Words("轴承", "a bearing"),
+    "coupling": Words("联轴器", "a coupling"),
+    "screw": Words("螺旋", "a screw"),
+    "conveyor": Words("输送机", "a conveyor"),
+    "winch": Words("卷筒", "a winch"),
+    "pump": Words("泵", "a pump"),
+    "machine": Words("工作机", "a machine"),
+}
+_ETAS = Words("括号内的符号 $η$ 为该级的效率", "in brackets stand the efficiencies $η$")
+_LOADS = {
+    r"P_\w": Words("输出功率", "power delivered at an end"),
+    r"F(_\w)?": Words("输出端克服的阻力", "force overcome at an end"),
+    r"v(_\w)?": Words("输出端的速度", "speed at an end"),
+}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import atan, degrees
 from typing import ClassVar
 
@@ -34,6 +35,16 @@ class RingSpring(Device):
                 keys=("alpha",),
             )
         return self
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A wedge that spreads two others."""
+        return Words(
+            "缓冲器中，力 $F$ 压下楔块 1，把两侧楔块 2、3 撑开，弹簧以力 $Q$ 压住每个侧楔块，4 为机架。各斜面法线与 "
+            "$F$ 的夹角为 $α$，摩擦系数为 $f$。压缩为正行程；回弹为反行程，此时 1 上的力为 $F'$。",
+            "In a buffer the force $F$ pushes wedge 1 down and so spreads the side wedges 2 and 3, on each of which a "
+            "spring presses with $Q$; 4 is the frame. The normals of all faces make the angle $α$ with $F$, the "
+            "coefficient of friction is $f$. On the return stroke, the release, the force on wedge 1 is $F'$.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """φ; pushing: R_21, R_42, F, F by formula, F without friction, η, least α;

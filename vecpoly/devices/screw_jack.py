@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import atan, cos, degrees, pi
 from typing import ClassVar
 
@@ -143,6 +144,36 @@ class ScrewJack(Device):
         the load itself, or where it is sought a round one, all forces being proportional."""
         return self.Q.si if self.Q else 1000.0
 
+    def task(self, asked: Collection[str]) -> Words:
+        """A screw under a load on a collar."""
+        return Words(
+            f"螺旋千斤顶采用{_THREADS[self.beta is not None].zh}，{_starts(self.starts).zh}，大径 $d$，小径 $d_1$，螺"
+            f"距 $p$；载荷 $Q$ 由外径 $D$、内径 $d_0$ 的环面支承，手柄长 $l$，端部作用力 $F$；{self._friction.zh}。螺"
+            "纹按平均直径 $d_2$ 计算。",
+            f"A screw jack has {_THREADS[self.beta is not None].en}, {_starts(self.starts).en}, outer diameter $d$, "
+            "root diameter $d_1$ and pitch $p$. The load $Q$ rests on a ring with the diameters $D$ and $d_0$; the "
+            f"lever is $l$ long, and $F$ acts at its end; {self._friction.en}. The thread is reckoned at its mean "
+            "diameter $d_2$.",
+        )
+
+    def told(self) -> tuple[Words, ...]:
+        """The load for which the force polygon is drawn, where the load itself is sought."""
+        if self.Q is not None:
+            return ()
+        trial = f"$Q_1$ = {self.trial:g} N"
+        return (Words(f"力多边形按试取的载荷 {trial} 作出", f"the force polygon is drawn for a trial load {trial}"),)
+
+    @property
+    def _friction(self) -> Words:
+        if self.f is not None:
+            return Words(
+                "螺纹与环面的摩擦系数均为 $f$", "the coefficient of friction of the thread and of the ring is $f$"
+            )
+        return Words(
+            "螺纹的摩擦系数为 $f_s$，环面的摩擦系数为 $f_c$",
+            "the coefficient of friction is $f_s$ in the thread and $f_c$ on the ring",
+        )
+
     def quantities(self) -> tuple[Named, ...]:
         """Angles; moments over Q; efficiencies; F or Q; moments; the return stroke."""
         sought = LOAD if self.Q is None else DRIVE
@@ -203,3 +234,13 @@ LOAD, DRIVE = Named("Q", "Q", "N"), Named("F", "F", "N")
 ETA, ETA_THREAD, ETA_BACK = Named("eta", "η", ""), Named("eta_thread", "η_s", ""), Named("eta_r", "η′", "")
 SELF_LOCKING = Named("self_locking", "α ≤ φ", "yes/no")
 BACK = Named("M_r_over_Q", "M′/Q", "mm")
+
+
+_THREADS = {
+    False: Words("矩形螺纹", "a square thread"),
+    True: Words("牙侧角为 $β$ 的三角形螺纹", "a V-thread with flanks at $β$ to the plane across the axis"),
+}
+
+
+def _starts(count: int) -> Words:
+    return Words("单线", "one start") if count == 1 else Words("$n$ 线", "$n$ starts")

@@ -10,6 +10,7 @@ drivers: [1]          # several possibilities: [1, 5]; two links that drive toge
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Annotated, ClassVar
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
@@ -21,7 +22,7 @@ from .base import Device
 from .pairs_read import Letter, read_pair
 from .structure_named import DETERMINED, F_LOCAL, F_LOW, N_LOW, P_H, P_L, P_LOW, P_REDUNDANT, F, N, class_, groups
 from .structure_pairs import FRAME, Chain, Pair, Written, natural
-from .structure_told import FIGURE, told_drivers
+from .structure_told import FIGURE, structure_task, told_drivers
 
 Joint = Annotated[Written, BeforeValidator(read_pair), WithJsonSchema({"type": "string"})]
 OFF_LINE = 0.01  # share of the distance between the centres by which a contact may stand beside their line
@@ -136,6 +137,11 @@ class Structure(Device):
     def touching(self) -> bool:
         """Whether it has higher pairs."""
         return any(not joint.form.is_lower for joint in self.joints.values())
+
+    def task(self, asked: Collection[str]) -> Words:
+        """What figure it is of."""
+        frame = "" if self.frame == FRAME else self.number(FRAME)
+        return structure_task(frame, touching=self.touching, driven=bool(self.drivers))
 
     def quantities(self) -> tuple[Named, ...]:
         """The counts, F, whether the motion is determined;

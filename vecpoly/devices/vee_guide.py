@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import pi
 from typing import ClassVar
 
@@ -40,6 +41,16 @@ class VeeGuide(Device):
                 keys=("theta",),
             )
         return self
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A slide on a V guide and a flat one."""
+        return Words(
+            "机床滑台支承在一条 V 形导轨 1 和一条平导轨 2 上移动，总载荷 $G$ 到两导轨的水平距离为 $l_1$ 和 $l_2$（V "
+            "形的宽度略去不计）；V 形的半角为 $θ$，各接触面的摩擦系数均为 $f$。",
+            "The slide of a machine tool moves on a V guide 1 and a flat guide 2. The whole load $G$ acts at the "
+            "horizontal distances $l_1$ and $l_2$ from the guides (the width of the V is neglected); half the angle "
+            "of the V is $θ$, and all faces have the coefficient of friction $f$.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """The shares of the load, the force on each flank, friction on each guide, equivalent coefficients."""

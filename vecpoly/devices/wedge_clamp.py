@@ -3,6 +3,7 @@ does it stay in when nothing holds it?"""
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import degrees
 from typing import ClassVar
 
@@ -34,6 +35,16 @@ class WedgeClamp(Device):
                 keys=("alpha",),
             )
         return self
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A wedge between the work and a body."""
+        return Words(
+            "夹具中，楔块 3 打入工件 1 与构件 2 之间将工件夹紧，楔角为 $α$，两工作面的摩擦系数均为 $f$，构件 2 对楔块的"
+            "作用力为 $R_{23}$。撤去打入力后，沿工件表面作用、阻止楔块退出的力为 $F'$，不计摩擦时为 $F'_{0}$。",
+            "In a fixture wedge 3 is driven in between workpiece 1 and body 2. The wedge angle is $α$, the coefficient "
+            "of friction of both faces $f$; body 2 presses on the wedge with $R_{23}$. When the driving force is gone, "
+            "a force $F'$ along the face of the work stops the wedge from slipping out, $F'_{0}$ without friction.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """φ, limit of α, F' that holds the wedge in (not positive:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import degrees
 from typing import ClassVar
 
@@ -76,6 +77,24 @@ class Wedges(Device):
     def angle(self, face: str) -> Named:
         """The friction angle of a face as a quantity."""
         return Named("phi", "φ", "deg") if self.f else Named(f"phi_{face}", f"φ_{{{face}}}", "deg")
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A wedge that lifts another."""
+        friction = (
+            Words("各接触面的摩擦系数均为 $f$", "the coefficient of friction of all faces is $f$")
+            if self.f
+            else Words(
+                "$f_{12}$、$f_{13}$、$f_{23}$ 为下标所指两构件间的摩擦系数",
+                "$f_{12}$, $f_{13}$ and $f_{23}$ are the coefficients of friction between the links of the subscripts",
+            )
+        )
+        return Words(
+            "楔块 1 在力 $F$ 推动下沿与铅垂线成 $α$ 角的导路前进，把竖直导路中的楔块 2 顶起，2 上作用载荷 $Q$，3 为机"
+            f"架；1、2 的接触面与铅垂线成 $β$ 角，{friction.zh}。反行程中 $Q$ 使 2 下降，$F'$ 为作用在 1 上的阻力。",
+            "Pushed by $F$ along a guide at $α$ to the vertical, wedge 1 lifts wedge 2, which runs in a vertical guide "
+            "and carries the load $Q$; 3 is the frame. The face between the wedges lies at $β$ to the vertical; "
+            f"{friction.en}. On the return stroke $Q$ lowers wedge 2 against a force $F'$ on wedge 1.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """φ, F measured and by the sine rule, F without friction, η, reactions;

@@ -27,6 +27,7 @@ from .statement.in_table import OTHERS, in_table, in_table_words
 from .statement.meant import meant_by
 from .statement.shortened import as_told
 from .statement.structure import numbering, structure
+from .statement.task import task
 from .values import called, value
 
 _LARGE = 100.0  # mm: from there on a coordinate has tenths
@@ -69,7 +70,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "label": label(problem.id).of(lang),
         "title": problem.title.of(lang),
         "source": printed_source(problem.source, lang, label(problem.id)),
-        "statement": problem.statement.of(lang),
+        "statement": task(problem).of(lang),
         "given": comma.join(given),
         "asked": asked(solution, lang),
         "repeated": "repeated" if repeated(solution) else "",

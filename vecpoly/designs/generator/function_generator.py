@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from math import cos, degrees, isclose
 from typing import Any, ClassVar
@@ -153,6 +153,19 @@ class FunctionGenerator(Design):
 
     # -- as every design ------------------------------------------------------------------------------------
 
+    def task(self, asked: Collection[str]) -> Words:
+        """Pairs of angles, or a function."""
+        zeros = Words("", "")
+        if {AHEAD_B.key, AHEAD_C.key} & {*asked}:
+            zeros = Words(
+                "；$δ_B$、$δ_C$ 为 $AB$、$DC$ 超前其标线（角 $φ$、$ψ$ 所指）的角，逆时针为正",
+                "; $δ_B$ and $δ_C$ are the angles by which $AB$ and $DC$ are ahead of the lines at $φ$ and $ψ$, "
+                "counter-clockwise positive",
+            )
+        checked = _FREUDENSTEIN if {P0.key, P1.key, P2.key} & {*asked} else Words("", "")
+        what = _CORRESPONDING if self.pairs is not None else _APPROXIMATE
+        return _LINKAGE + what + zeros + checked + Words("。", ".")
+
     def quantities(self) -> tuple[Named, ...]:
         """The lengths, on which side of the pivots the pins lie, Freudenstein's numbers; of a function the error."""
         return (*FOUR_BAR, AHEAD_B, AHEAD_C, P0, P1, P2, *((ERROR,) if self.function is not None else ()))
@@ -176,3 +189,23 @@ class FunctionGenerator(Design):
     def size(self) -> float:
         """The frame."""
         return 2 * self.AD.si
+
+
+_LINKAGE = Words(
+    "设计铰链四杆机构 $ABCD$，$A$ 为原点，机架 $AD$ 在 $x$ 轴上；两连架杆 $AB$、$DC$ 的转角 $φ$、$ψ$ 自 $x$ 轴逆时针"
+    "量起，",
+    "Design a four-bar linkage $ABCD$ with $A$ in the origin and the frame $AD$ on the $x$ axis; the angles $φ$ of "
+    "$AB$ and $ψ$ of $DC$ count counter-clockwise from the $x$ axis, ",
+)
+_CORRESPONDING = Words(
+    "$φ_i$ 后为相应的 $ψ_i$，共三组对应角", "and behind each of the three $φ_i$ stands the $ψ_i$ that belongs to it"
+)
+_APPROXIMATE = Words(
+    "在给定范围内，$φ$ 与 $x$、$ψ$ 与 $y$ 成正比，使机构近似地实现函数 $y$；取三个切比雪夫精确点",
+    "and over the given ranges $φ$ goes with $x$ and $ψ$ with $y$, so that the linkage approximates the function "
+    "$y$; take three Chebyshev precision points",
+)
+_FREUDENSTEIN = Words(
+    "；以弗洛伊登斯坦方程 $cos φ$ = $P_0 cos ψ$ + $P_1 cos(ψ − φ)$ + $P_2$ 校核",
+    "; check it by Freudenstein's equation $cos φ$ = $P_0 cos ψ$ + $P_1 cos(ψ − φ)$ + $P_2$",
+)

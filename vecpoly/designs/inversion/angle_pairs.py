@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from math import degrees
 from typing import Any, ClassVar
 
@@ -20,6 +20,7 @@ from .built import posed_four_bar, posed_slider_crank
 from .loops import Hinged, Sliding
 from .paired import of_pairs
 from .plan import FRAME, Body, Find, On, Pin, Plan, Position, Slide
+from .told import rocker_task, slider_task
 from .written import Corresponding, on, said
 
 AHEAD_C, AHEAD_B = Named("delta_C", "δ_{C}", "deg"), Named("delta_B", "δ_{B}", "deg")
@@ -78,6 +79,13 @@ class AnglePairs(Design):
         yield from super().varied()
         yield from of_pairs(self, self.pairs)
 
+    def task(self, asked: Collection[str]) -> Words:
+        """Pairs of a rocker, or of a slider."""
+        count = len(self.pairs)
+        if self.guide is not None:
+            return slider_task(self.guide, self.B, count, turned=AHEAD_B.key in asked)
+        return rocker_task(self.C, count, turned=AHEAD_C.key in asked)
+
     def quantities(self) -> tuple[Named, ...]:
         """The lengths, and by how much the sought pin is ahead of the line of its link."""
         return (AB, BC, AHEAD_B) if self.slides else (*FOUR_BAR, AHEAD_C)
@@ -93,7 +101,8 @@ class AnglePairs(Design):
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The pairs, and the links that are given."""
-        of = "x_{{C{}}}" if self.slides else "ψ_{{{}}}"
+        place = "x_{{C{}}}" if self.guide is None or self.guide.along.real else "y_{{C{}}}"
+        of = place if self.slides else "ψ_{{{}}}"
         pairs = tuple(
             (symbol.format(n), text)
             for n, pair in enumerate(self.pairs, 1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import cos, degrees
 from typing import ClassVar, Literal
 
@@ -60,6 +61,22 @@ class Cognates(Design):
                 code="out-of-range",
             )
         return self
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A four-bar and both its cognates."""
+        side = Words("左", "left") if self.side == "left" else Words("右", "right")
+        return Words(
+            "铰链四杆机构 $ABCD$ 的 $A$ 为原点，机架 $AD$ 在 $x$ 轴上，$AB$ 的位置角 $φ$ 自 $x$ 轴逆时针量起，$C$ 在"
+            f"由 $B$ 到 $D$ 的射线{side.zh}侧；连杆上 $E$ 点的坐标以 $B$ 为原点、$BC$ 为横轴（纵轴在其左侧）。按罗伯茨"
+            "—切比雪夫定理作出使 $E$ 画出同一轨迹的两个同源机构：左侧的 $AGHF$（机架 $AF$）和右侧的 $DMNF$（机架 "
+            "$DF$）。",
+            "In the four-bar linkage $ABCD$, $A$ is the origin and the frame $AD$ lies on the $x$ axis; $AB$ stands "
+            f"at the angle $φ$, counter-clockwise from the $x$ axis, and $C$ on the {side.en} of the ray from $B$ to "
+            "$D$. The point $E$ of the coupler is given from $B$, with $BC$ for its axis of abscissae and the "
+            "ordinate to the left of it. Draw by the theorem of Roberts and Chebyshev both cognates that lead $E$ "
+            "along the same path: $AGHF$ on the left, with the frame $AF$, and $DMNF$ on the right, with the frame "
+            "$DF$.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """The lengths of both cognates."""

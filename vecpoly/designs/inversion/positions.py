@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, ClassVar
 
@@ -18,6 +18,7 @@ from ..ranged.datum import Datum, of_point, put_in
 from .built import posed_four_bar
 from .loops import Hinged
 from .plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage
+from .told import positions_task
 from .written import Place, Point, Pose, on, said
 
 _BODY = "S"
@@ -98,6 +99,12 @@ class Positions(Design):
 
     def _moved(self, key: str, letter: str, at: complex) -> Design:
         return put_in(self, key, letter, Point(at, f"{at:.17g}"))
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A body led through positions by a four-bar."""
+        lines = [(letter, line) for letter in "ABCD" if (line := self._line(letter)) is not None]
+        shown = [(letter, line, letter in self._moving) for letter, line in lines if letter not in self._on_body_line]
+        return positions_task(len(self.poses), shown, asked)
 
     def quantities(self) -> tuple[Named, ...]:
         """The four lengths, and the directions of AB, DC and AD in the first position."""

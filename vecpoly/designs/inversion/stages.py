@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from typing import Any, ClassVar
 
@@ -17,6 +17,7 @@ from .assembling import Assembly
 from .chain import chain
 from .plan import Find, Plan
 from .step import Step
+from .told import Pieces, stages_task
 from .written import Direction, Place, Point, told_angle
 
 
@@ -55,6 +56,15 @@ class Stages(Design):
 
     def _turned(self, letters: str, si: float) -> Design:
         return put_in(self, "rays", letters, (*self.rays[letters][:-1], quantity(si)))
+
+    def task(self, asked: Collection[str]) -> Words:
+        """What is given of which link, and what is found one after another."""
+        ahead = [key.removeprefix("delta_") for key in asked if key.startswith("delta_")]
+        steps = [step.told(self.plan().count) for step in self.stages]
+        given = Pieces(
+            frame=tuple(self.frame), links=tuple(self.links), rays=tuple(self.rays), points=tuple(self.points)
+        )
+        return stages_task(given, steps, ahead)
 
     def quantities(self) -> tuple[Named, ...]:
         """The lengths of all links that are found, loop by loop; by how much pins are ahead of the lines of links."""

@@ -51,6 +51,43 @@ class Step(BaseModel):
             )
         return self
 
+    def told(self, count: int) -> Words:
+        """What this stage does, of so many positions."""
+        if self.find is not None:
+            lies = Words.same("") if count > 2 else self._lies()
+            return Words(
+                f"构件 ${self.on}$ 上的铰链 ${self.find}$ 由杆 ${self.start}{self.find}$ 与 ${self.start}$ 相连"
+                f"{lies.zh}",
+                f"the bar ${self.start}{self.find}$ joins ${self.start}$ to the pin ${self.find}$ of link ${self.on}$"
+                f"{lies.en}",
+            )
+        if self.join is not None and self.to is not None:
+            one, two = self.to[0], self.to[1]
+            side = Words("左", "left") if self.side == "left" else Words("右", "right")
+            return Words(
+                f"铰链 ${self.join}$ 由杆 ${self.join}{one}$、${self.join}{two}$ 与 ${one}$、${two}$ 相连，在由 "
+                f"${one}$ 到 ${two}$ 的射线{side.zh}侧",
+                f"the bars ${self.join}{one}$ and ${self.join}{two}$ join the pin ${self.join}$ to ${one}$ and "
+                f"${two}$, on the {side.en} of the ray from ${one}$ to ${two}$",
+            )
+        limit = Words("左", "left") if self.limit == "left" else Words("右", "right")
+        coupler = f"{(self.crank or '')[-1:]}{self.limits}"
+        return Words(
+            f"曲柄 ${self.crank}$ 经连杆 ${coupler}$ 带动摇杆 ${self.on}$ 摆动，${self.limits}_1$ 为铰链 "
+            f"${self.limits}$ 的{limit.zh}极限位置，$K$ 为行程速比系数",
+            f"the crank ${self.crank}$ makes the rocker ${self.on}$ swing through the coupler ${coupler}$; "
+            f"${self.limits}_1$ is the {limit.en} limit position of its pin ${self.limits}$, $K$ the time ratio",
+        )
+
+    def _lies(self) -> Words:
+        """Where the pin lies in the position that is kept."""
+        if self.line is None:
+            return Words(f"，${self.find}$ 在标线 ${self.on}$ 上", f", ${self.find}$ lying on its line ${self.on}$")
+        return Words(
+            f"，在位置 {self.onto}，${self.find}$ 位于直线 ${self.line}$ 上",
+            f", ${self.find}$ lying on the line ${self.line}$ in position {self.onto}",
+        )
+
     def given(self) -> tuple[tuple[str, str], ...]:
         """The limit position and K, where it has them."""
         if self.first is None or self.K is None:

@@ -5,7 +5,7 @@ data: {cranks: [0 deg, 240 deg, 120 deg], pitch: 100 mm, m: 0.7 kg, r: 42 mm, l:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, WithJsonSchema, model_validator
@@ -93,6 +93,36 @@ class InlineEngine(Device):
     def firing(self) -> tuple[int, ...]:
         """The cylinders in firing order, else as they are numbered (from 0)."""
         return tuple(i - 1 for i in self.order) if self.order is not None else tuple(range(len(self.cranks)))
+
+    def task(self, asked: Collection[str]) -> Words:
+        """So many cylinders, in one row."""
+        fires = "–".join(map(str, self.order or ()))
+        order = Words(f"，发火顺序 {fires}", f", firing in the order {fires}") if fires else Words("", "")
+        count = len(self.cranks)
+        return Words(
+            f"直列 {count} 缸机的缸距为 $a$，曲柄半径为 $r$，连杆长为 $l$，转速为 $n$，各缸的往复质量均为 $m$，各曲柄"
+            f"的方位角为 $α_i${order.zh}。由各缸质径积 $m r$ 的矢量和 $W$ 及其对中间平面之矩的矢量和 $C$ 得惯性力 $F$ "
+            "和惯性力偶 $M$ 的幅值；下标 I、II 为阶数，二阶各矢量的方位角为 $2α_i$。",
+            f"An in-line engine has {count} cylinders at the distance $a$, the crank radius $r$, rods of length $l$, "
+            "the speed $n$, the same reciprocating mass $m$ in each cylinder and its cranks at the angles "
+            f"$α_i${order.en}. From the vector sum $W$ of the products $m r$ of all cylinders and from that of their "
+            "moments about the middle plane, $C$, follow the amplitudes of the inertia force $F$ and of the inertia "
+            "couple $M$. The subscripts I and II are the order; in the second the vectors stand at $2α_i$.",
+        )
+
+    def told(self) -> tuple[Words, ...]:
+        """From where the cranks' angles and the cylinders' places count."""
+        return (
+            Words(
+                "$α_i$ 自 $x$ 轴（气缸轴线）起逆时针量",
+                "$α_i$ counter-clockwise from the $x$ axis, that of the cylinders",
+            ),
+            Words(
+                "$z_i$ 自中间平面量起，缸号大的一侧为正，力偶矢 $W z$ 转过 90° 沿 $W$ 画",
+                "$z_i$ from the middle plane, positive towards the last cylinder; the couples $W z$, turned by 90°, "
+                "lie along $W$",
+            ),
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """λ; of both orders the sums, the force and the couple, with the direction of each sum."""

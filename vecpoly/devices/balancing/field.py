@@ -6,6 +6,7 @@ data: {initial: 8.6 um at 63 deg, correct: {r: 120 mm},
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import degrees, tau
 from typing import ClassVar, Literal
 
@@ -138,6 +139,43 @@ class FieldBalancing(Device):
     def unclear(self) -> float:
         """An effect as small as what the last digits of two readings leave open."""
         return UNCLEAR * max(self.initial.step, *(trial.reading.step for trial in self.trials))
+
+    def task(self, asked: Collection[str]) -> Words:
+        """What vibrates, with which trial weights."""
+        left = self.correct.trial == "left"
+        stays = (
+            Words("试重保留", "the trial weight stays") if left else Words("取下试重", "the trial weight is taken off")
+        )
+        if self.phased:
+            return Words(
+                "转子在工作转速下的振动（幅值和相位）为 $V_0$。在半径 $r_t$、方位 $θ_t$ 处装试重 $m_t$ 后，同转速下振"
+                f"动变为 $V_1$。{stays.zh}，校正质量装在半径 $r_b$ 处。",
+                "A rotor vibrates with $V_0$ (amplitude and phase) at its working speed; with a trial weight $m_t$ "
+                "at the radius $r_t$, in the direction $θ_t$, it vibrates with $V_1$ at the same speed. "
+                f"{stays.en[0].upper()}{stays.en[1:]}; the correction sits at the radius $r_b$.",
+            )
+        runs = len(self.trials)
+        two = Words(
+            "；第二个下标为解的序号，按方位角排列",
+            "; the second subscript is the number of the solution, by their angles",
+        )
+        which = two if runs < MOST else Words("", "")
+        return Words(
+            f"只测振幅。转子的初始振幅为 $V_0$；把试重 $m_t$ 装在半径 $r_t$ 处，方位依次为 $θ_{{ti}}$，测得振幅 $V_i$"
+            f"（$i$ = 1～{runs}）。{stays.zh}，校正质量装在半径 $r_b$ 处{which.zh}。",
+            "Only amplitudes are measured. The rotor first shows $V_0$; with the trial weight $m_t$ at the radius "
+            f"$r_t$ in the directions $θ_{{ti}}$ in turn it shows $V_i$ ($i$ = 1 to {runs}). "
+            f"{stays.en[0].upper()}{stays.en[1:]}; the correction sits at the radius $r_b${which.en}.",
+        )
+
+    def told(self) -> tuple[Words, ...]:
+        """From where its angles count."""
+        angles = (
+            Words("方位角和相位均逆时针为正", "angles and phases count counter-clockwise")
+            if self.phased
+            else Words("方位角逆时针为正", "angles count counter-clockwise")
+        )
+        return (angles,)
 
     def quantities(self) -> tuple[Named, ...]:
         """The effect of the trial weight, the coefficient, the correction; of two arcs both answers."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import combinations
 from math import degrees, pi, radians, sin, sqrt
 
-from ...errors import EquilibriumError, NotAskedError
+from ...errors import EquilibriumError, FaultError, NotAskedError
 from ...words import Words
 from .plane import RotorPlane
 
@@ -137,3 +137,18 @@ def _working(plane: RotorPlane, needed: complex) -> Iterator[tuple[float, float]
             gap = abs((degrees(other.si - one.si) + 180) % 360 - 180)
             found.append((gap, degrees(one.si) % 360, degrees(other.si) % 360))
     yield from ((one, other) for _, one, other in sorted(found)[:4])
+
+
+def outside(part: float, one: str, other: str) -> FaultError:
+    """What is said of a centre of mass beside the planes, of which one would have this share."""
+    return FaultError(
+        Words(
+            f"质心不在校正平面 {one} 与 {other} 之间（{one} 的份额为 {part:.3g}），不能按杠杆分配许用不平衡量；请改 "
+            "tolerance.z",
+            f"the centre of mass does not lie between the planes {one} and {other} (the share of {one} would be "
+            f"{part:.3g}): the permissible unbalance cannot be split by the lever; mend tolerance.z",
+        ),
+        code="out-of-range",
+        numbers={"share": part},
+        keys=("tolerance", ("correct", one), ("correct", other)),
+    )

@@ -18,9 +18,9 @@ from ..base import Device, Length, Signed, Speed, Written, as_written
 from .asked import CLOSES, Weighing, of_rotor, weighing
 from .mass import RotorDisc, RotorMass
 from .plane import RotorPlane
-from .refused import leaves_couple
+from .refused import leaves_couple, outside
 from .sought import check_sought, sought_quantities
-from .told import planes_told
+from .told import planes_told, rotor_task
 from .written import Entry, MassSize, Turning, named_well
 
 MOST, PLANES = 12, 2
@@ -187,8 +187,13 @@ class Rotor(Device):
         centre = self.tolerance.z if self.tolerance is not None else None
         part = 0.5 if centre is None else (second.at - centre.si) / (second.at - first.at)
         if not 0 < part < 1:
-            raise _outside(part, one, other)
+            raise outside(part, one, other)
         return {one: part, other: 1 - part}
+
+    def task(self, asked: Collection[str]) -> Words:
+        """What is out of balance, and where it is corrected."""
+        written = [symbol for symbol, _ in self.given()]
+        return rotor_task(written, self.ends if self.correct else None, list(self.correct), asked)
 
     def quantities(self) -> tuple[Named, ...]:
         """Masses of holes, products, shares; of every plane what balances it; what is permitted."""
@@ -234,17 +239,3 @@ class Rotor(Device):
     def size(self) -> float:
         """The length of the shaft, or the largest radius (m)."""
         return max([self.length, *(mass.r.si for mass in self.masses.values() if mass.r is not None)], default=0.1)
-
-
-def _outside(part: float, one: str, other: str) -> FaultError:
-    return FaultError(
-        Words(
-            f"质心不在校正平面 {one} 与 {other} 之间（{one} 的份额为 {part:.3g}），不能按杠杆分配许用不平衡量；请改 "
-            "tolerance.z",
-            f"the centre of mass does not lie between the planes {one} and {other} (the share of {one} would be "
-            f"{part:.3g}): the permissible unbalance cannot be split by the lever; mend tolerance.z",
-        ),
-        code="out-of-range",
-        numbers={"share": part},
-        keys=("tolerance", ("correct", one), ("correct", other)),
-    )

@@ -5,7 +5,7 @@ data: {r: 50 mm, l: 200 mm, n: 1800 r/min, m1: 0.4 kg, m2: 1.2 kg, BS2: 60 mm, m
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, WithJsonSchema, model_validator
@@ -88,6 +88,30 @@ class ShakingForce(Device):
     def seeks(self) -> bool:
         """Whether the best fraction is sought."""
         return self.c.text == BEST.text
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A slider-crank with a counterweight."""
+        balanced = (
+            Words(
+                "以及往复质量的 $c$ 倍，$c$ 取使一周内最大振动力最小的值",
+                " and that fraction $c$ of the reciprocating one with which the "
+                "largest shaking force of a turn is least",
+            )
+            if self.seeks
+            else Words("以及往复质量的 $c$ 倍", " and the fraction $c$ of the reciprocating one")
+        )
+        return Words(
+            "单缸机的曲柄 $AB$ 长 $r$，连杆 $BC$ 长 $l$，转速为 $n$；曲柄换算到 $B$ 的不平衡质量为 $m_1$，连杆质量为 "
+            "$m_2$，其质心到 $B$ 的距离为 $l_{BS2}$，活塞质量为 $m_3$。连杆质量代换到 $B$、$C$ 两点，得回转质量 "
+            f"$m_B$ 和往复质量 $m_C$；曲柄上半径 $r_c$ 处的配重 $m_c$ 平衡全部回转质量{balanced.zh}。$φ$ 为曲柄自外死"
+            "点逆时针的转角，振动力 $F$ 为此位置机架所受的惯性力。",
+            "In a single-cylinder engine the crank $AB$ is $r$ long, the rod $BC$ is $l$ long, and the speed is $n$. "
+            "The crank's unbalance, thought at $B$, is $m_1$; the rod has the mass $m_2$, with its centre of mass at "
+            "the distance $l_{BS2}$ from $B$; the piston has the mass $m_3$. The rod is replaced by masses at $B$ "
+            "and $C$, whence the rotating mass $m_B$ and the reciprocating mass $m_C$. The counterweight $m_c$ at "
+            f"the radius $r_c$ of the crank balances all of the rotating mass{balanced.en}. $φ$ is the crank's angle "
+            "from the outer dead centre, counter-clockwise; the shaking force $F$ is what acts on the frame there.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """The masses, λ, both orders, c if it is sought, the counterweight; the force at φ, the largest one."""

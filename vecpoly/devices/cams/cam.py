@@ -47,7 +47,7 @@ from .corners import corners_noted
 from .fits import clears, closes, first_angle, may_be_sized, stays_behind
 from .follower import Follower
 from .motion import Entry, Piece, pieces_of, read_entry, stations
-from .told import motion_told
+from .told import cam_task, motion_told
 
 Motion = Annotated[Entry, BeforeValidator(read_entry), WithJsonSchema({"type": "string"})]
 FINEST, COARSEST = 5.0, 45.0  # deg between stations
@@ -172,6 +172,10 @@ class Cam(Device):
         if self.r0 is None:
             return self.lift
         return self.r0.si + (self.lift * self.arm[1] if self.arm else self.lift)
+
+    def task(self, asked: Collection[str]) -> Words:
+        """Which cam it is, in which letters."""
+        return cam_task(self.follower, sized=self.alpha is not None, bounded=bool(self.alpha and self.alpha.start))
 
     def quantities(self) -> tuple[Named, ...]:
         """What is found of the whole cam, then at every station; or the least base circle."""

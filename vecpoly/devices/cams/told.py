@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import degrees
 
 from ...words import Words
@@ -69,3 +69,50 @@ def _way(piece: Piece, *, swings: bool) -> Words:
 
 def _lift(piece: Piece, *, swings: bool) -> str:
     return f"{degrees(piece.lift):g}°" if swings else f"{1e3 * piece.lift:g} mm"
+
+
+def cam_task(follower: Follower, *, sized: bool, bounded: bool) -> Words:
+    """Which cam it is, in which letters; sized: whether the least base circle is sought; bounded: with [α_0], too."""
+    end = _FLAT if follower.flat else _ROLLER if follower.roller else _KNIFE
+    way = Words("摆动", "an oscillating") if follower.arm else Words("直动", "a translating")
+    rest = (_ALLOWED + _THIRD if bounded else _ALLOWED) if sized else _BASES[bool(follower.roller)]
+    own = "".join(one.zh for one in _own(follower)), "".join(one.en for one in _own(follower))
+    return Words(
+        f"{way.zh}{end.zh}从动件盘形凸轮绕 $O$ 转动，$φ$ 为凸轮自推程起点的转角{rest.zh}{own[0]}。",
+        f"A plate cam turns about $O$ and moves {way.en} {end.en} follower; $φ$ is the cam's angle from the beginning "
+        f"of the rise{rest.en}{own[1]}.",
+    )
+
+
+_BASES = {
+    False: Words("，$r_0$ 为基圆半径", "; $r_0$ is the radius of the base circle"),
+    True: Words("，$r_0$ 为理论廓线的基圆半径", "; $r_0$ is the radius of the base circle of the pitch curve"),
+}
+_ALLOWED = Words(
+    "，$[α_1]$、$[α_2]$ 为推程和回程的许用压力角，求最小的基圆",
+    "; $[α_1]$ and $[α_2]$ are the pressure angles allowed on the rise and on the return, and the smallest base circle "
+    "is sought",
+)
+_THIRD = Words(
+    "，$[α_0]$ 为推程起始处另一侧的许用压力角", ", with $[α_0]$ allowed to the other side where the rise begins"
+)
+
+
+def _own(follower: Follower) -> Iterator[Words]:
+    """What is given of the follower."""
+    if follower.roller:
+        yield Words("，滚子半径为 $r_r$", ", $r_r$ that of the roller")
+    if follower.offset is not None:
+        yield Words(
+            "，偏距为 $e$（导路在 $O$ 右侧为正）", ", $e$ the offset of the guide, positive to the right of $O$"
+        )
+    if follower.arm is None:
+        return
+    yield Words("，$l_{OA}$ 为 $O$ 到摆动中心 $A$ 的距离", ", $l_{OA}$ the distance of the pivot $A$ from $O$")
+    if follower.arm.AB is not None:
+        yield Words("，$l_{AB}$ 为摆杆的长度", ", $l_{AB}$ the length of the arm")
+    if follower.arm.face is not None:
+        yield Words(
+            "，$d$ 为平底到 $A$ 的距离（背离凸轮为正）",
+            ", $d$ the distance of the face from $A$, positive away from the cam",
+        )

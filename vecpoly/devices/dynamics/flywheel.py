@@ -24,6 +24,7 @@ from .curve import Moments
 from .given import Areas, Torques, areas, of_powers, torques
 from .rim import Rim
 from .steady import check_it_goes_on, check_it_has_room, check_it_varies, ties
+from .told import flywheel_task
 
 COUNT = 40  # areas, or powers, at most
 GRAVITY = 9.81  # m/s²: in GD²
@@ -189,6 +190,10 @@ class Flywheel(Device):
     def sensed(self) -> bool:
         """Only its speed is known."""
         return False
+
+    def task(self, asked: Collection[str]) -> Words:
+        """What drives and what resists over the period, and what of the flywheel is given."""
+        return flywheel_task([symbol for symbol, _ in self.given()], asked)
 
     def quantities(self) -> tuple[Named, ...]:
         """The constant moment, the areas and energies, ΔW_max, the flywheel, or δ; the extreme speeds; the rim."""

@@ -8,6 +8,7 @@ data:
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from itertools import permutations
 from math import inf, prod
 from typing import Annotated, ClassVar
@@ -20,6 +21,7 @@ from ...units.reading import Quantity
 from ...words import Words
 from ..base import Device, Duration, Omega, as_written
 from .shafts import Meshing, Pair, Shaft, ways
+from .told import reduced_task
 
 J_E, M_E = Named("J_e", "J_e", "kg·m^2"), Named("M_e", "M_e", "N·m")
 M_D, M_R = Named("M_d", "M_{ed}", "N·m"), Named("M_r", "M_{er}", "N·m", is_size=True)
@@ -188,6 +190,21 @@ class ReducedTrain(Device):
         """J_e (kg·m²), by which it is judged when it stands still."""
         return sum(ratio**2 * self.shafts[name].inertia for name, ratio in self.turns.items())
 
+    def task(self, asked: Collection[str]) -> Words:
+        """Which wheels mesh, what drives and what resists, from which speed."""
+        wheels = [
+            (pair, self.wheel(pair, pair.first, pair.second), self.wheel(pair, pair.second, pair.first))
+            for pair in self.pairs
+        ]
+        return reduced_task(self.shafts, wheels, self.main, [symbol for symbol, _ in self._run], asked)
+
+    @property
+    def _run(self) -> tuple[tuple[str, str], ...]:
+        """From which speed it runs to which, or how long; a speed in r/min is n."""
+        ends = (("ω_0", self.start if self.start.si else None), (f"ω_{{{self.main}}}", self.until), ("t", self.after))
+        written = as_written(ends)
+        return tuple((f"n{s[1:]}" if "r/min" in text else s, text) for s, text in written)
+
     def quantities(self) -> tuple[Named, ...]:
         """The ratios, the equivalents, the angular accelerations; how it runs."""
         others = [name for name in self.shafts if name != self.main]
@@ -220,7 +237,4 @@ class ReducedTrain(Device):
             for ends, size in zip(permutations((pair.first, pair.second)), pair.sizes_written, strict=True)
         }
         tidy = [(symbol, text.replace("*", "·").replace("^2", "²")) for symbol, text in told]
-        run = as_written(
-            (("ω_0", self.start if self.start.si else None), (f"n_{{{self.main}}}", self.until), ("t", self.after))
-        )
-        return (*tidy, *sizes.items(), *run)
+        return (*tidy, *sizes.items(), *self._run)

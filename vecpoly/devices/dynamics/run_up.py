@@ -7,7 +7,7 @@ data: {load: [4 N*m, 0.05 N*m*s], brake: 65 N*m, J: 3.6 kg*m^2, start: 600 r/min
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, WithJsonSchema, model_validator
@@ -17,6 +17,7 @@ from ...names import Named
 from ...units.reading import Dim, Quantity, positive
 from ...words import Words
 from ..base import Device, Duration, Inertia, Omega, Tabled, Torque, as_written
+from ..defined import sentence
 from .characteristic import Load, Measured, Motor, Polynomial, at_rest
 
 STEADY, CONSTANT, START = Named("omega_s", "ω_s", "rad/s"), Named("T", "T", "s"), Named("M_d0", "M_{d0}", "N·m")
@@ -152,6 +153,45 @@ class RunUp(Device):
     def sensed(self) -> bool:
         """Only its speed is known."""
         return False
+
+    def task(self, asked: Collection[str]) -> Words:
+        """From which speed to which, driven and resisted by what."""
+        drives = Words("电动机以驱动力矩 $M_d$ 带动机器", "a motor with the torque $M_d$ drives a machine")
+        coasts = Words("断开动力后机器自行停车", "the power is cut off and a machine runs down")
+        stops = Words("机器阻力矩为 $M_r$", "the load resists with $M_r$") if self.load is not None else Words.same("")
+        brake = Words("用制动器时另加制动力矩 $M_b$", "a brake adds the moment $M_b$")
+        curved = any("ω" in text for _, text in self.given())
+        speed = Words("$ω$ 为等效构件的角速度", "$ω$ is the speed of the equivalent link")
+        return sentence(
+            coasts if self.motor is None else drives,
+            stops,
+            *([brake] if self.brake is not None else []),
+            Words("等效转动惯量为 $J$", "the equivalent moment of inertia is $J$"),
+            *([speed] if curved else []),
+            *self._from_to(),
+        )
+
+    def _from_to(self) -> Iterator[Words]:
+        """From which speed to which, and at which time it is asked."""
+        first = f"${self._letter(self.start)}_0$" if self.start.si else ""
+        start = Words(f"自 {first}", f"from {first}") if first else Words("由静止", "from rest")
+        end = Words("停止", "rest")
+        if isinstance(self.to, Quantity):
+            end = Words.same(f"${self._letter(self.to)}_1$")
+        elif self.motor is not None:
+            share = f"{100 * self.share:g} %"
+            end = Words(f"稳定角速度 $ω_s$ 的 {share}", f"{share} of the steady speed $ω_s$")
+            if self.to is not None:
+                end = Words("角速度 $ω_1$（$ω_s$ 为稳定角速度）", "the speed $ω_1$, $ω_s$ being the steady one")
+        way = Words("减速", "runs down") if self.motor is None else Words("起动", "runs up")
+        yield Words(f"{start.zh}{way.zh}到{end.zh}", f"it {way.en} {start.en} to {end.en}")
+        if self.at is not None:
+            yield Words("$ω_t$ 为时刻 $t_1$ 的角速度", "$ω_t$ is the speed at the time $t_1$")
+
+    @staticmethod
+    def _letter(speed: Quantity) -> str:
+        """A speed in r/min is n."""
+        return "n" if "r/min" in speed.text else "ω"
 
     def quantities(self) -> tuple[Named, ...]:
         """Steady speed and time constant; time and turns; the speed at a time."""

@@ -7,7 +7,7 @@ data: {sun: 30, planet: [20, 25], sun_2: 25, omega_1: 10 rad/s, omega_H: 4 rad/s
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
@@ -17,6 +17,7 @@ from ...names import Named
 from ...units.reading import Quantity
 from ...words import Words
 from ..base import Device, Length, Omega
+from .told import train_task
 
 FEWEST, MOST = 3, 2000  # teeth
 ONE_TO_ONE = 1e-9  # how far i_13^H must be from 1, where neither central gear would know of the carrier
@@ -193,6 +194,10 @@ class Epicyclic(Device):
         if self.driver is None:
             return None
         return Named(f"i_{self.driver}{self.sought}", f"i_{{{self.driver}{self.sought}}}", "")
+
+    def task(self, asked: Collection[str]) -> Words:
+        """Which gears mesh on which carrier."""
+        return train_task(asked, stepped=len(self.planet) > 1, ring=self.ring is not None)
 
     def quantities(self) -> tuple[Named, ...]:
         """Speeds of the pitch points and the planets' centres, ω of every link, the ratio where one link is held."""

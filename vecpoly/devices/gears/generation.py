@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from math import pi, tan
 from typing import Annotated, Any, ClassVar
 
@@ -95,6 +96,16 @@ class GearGeneration(Device):
     def size(self) -> float:
         """The tip radius (m)."""
         return self.m.si * (self.z / 2 + self.ha.si + self.x)
+
+    def task(self, asked: Collection[str]) -> Words:
+        """A gear that a rack cuts."""
+        return Words(
+            "用齿条刀具范成加工渐开线直齿圆柱齿轮：模数 $m$，齿数 $z$，变位系数 $x$（刀具远离轮心为正）；刀具的齿形角"
+            "为 $α$，齿顶高系数为 $h_a^{*}$，顶隙系数为 $c^{*}$。",
+            "A rack generates an involute spur gear with the module $m$, the number of teeth $z$ and the profile shift "
+            "$x$ (in modules, positive away from the gear's centre); the rack's flanks lie at the angle $α$, its "
+            "addendum is $h_a^{*}$ and its clearance $c^{*}$, both in modules.",
+        )
 
     def quantities(self) -> tuple[Named, ...]:
         """Radii, thicknesses, the limits of undercut, where the involute starts."""

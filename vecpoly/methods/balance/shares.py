@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...board.construction import View
 from ...foundation.slotted import replace
 from ...mechanism.counterweights import Outlet, Passing
@@ -12,6 +14,7 @@ from ..registry import Stage, method
 from .standing import Stand, Weighing
 
 _SOURCE = "机械原理, mass balance of linkages: masses replaced at the hinges of a link (质量代换)"
+_Turned = tuple[str, str]  # the symbol of a product, the letters of the angle by which it is turned
 IN_LINE = 1e-9  # of the distance of the hinges: a mass so near to their line, and between them, has plain shares
 
 
@@ -68,16 +71,20 @@ def shares(here: Weighing, of: Passing) -> None:
         ),
         View.MECHANISM,
     )
+    turned: list[_Turned] = []
     for one in here.gather(of):
         for out, other in ((b, c), (c, b)):
             if one.point == out.point:
                 here.put(out, one)
             elif one.point != other.point and out.to != FRAME:
-                here.put(out, _share(here, of, one, out, other))
+                here.put(out, _share(here, of, one, out, other, turned))
+    if turned:
+        board.remark(_aside(turned))
 
 
-def _share(here: Weighing, of: Passing, one: Stand, out: Outlet, other: Outlet) -> Stand:
-    """The part of a mass that comes to one hinge, by its distance from the other."""
+def _share(here: Weighing, of: Passing, one: Stand, out: Outlet, other: Outlet, turned: list[_Turned]) -> Stand:
+    """The part of a mass that comes to one hinge, by its distance from the other; turned: with what is said of it where
+    the mass lies beside their line."""
     desk, board = here.desk, here.desk.board
     at, far, near = (here.local(of.link, point) for point in (one.point, other.point, out.point))
     part = (at - far) / (near - far)
@@ -90,14 +97,20 @@ def _share(here: Weighing, of: Passing, one: Stand, out: Outlet, other: Outlet) 
     start, end, tip = (desk.at[point] for point in (other.point, out.point, one.point))
     turn = board.gauge(start, tip) - board.gauge(start, end)
     letters = "".join(subscripted(point) for point in (out.point, other.point, one.point))
-    board.remark(
-        Words(
-            f"（质心不在两铰链之间的连线上：${_sym(label)}$ 的质径积须自半径方向转过 $∠{letters}$。）",
-            f" (The mass does not lie between the pins on their line: the product of ${_sym(label)}$ is to be turned "
-            f"from its radius by the angle ${letters}$.)",
-        )
-    )
+    turned.append((_sym(label), letters))
     return replace(found, turn=turn if one.turn is None else one.turn + turn)
+
+
+def _aside(turned: Sequence[_Turned]) -> Words:
+    """By which angles the products of a mass that lies beside the line of the pins are turned: said once."""
+    (first, angle), *others = turned
+    zh = "".join(f"，${symbol}$ 的须转过 $∠{letters}$" for symbol, letters in others)
+    en = "".join(f", that of ${symbol}$ by the angle ${letters}$" for symbol, letters in others)
+    return Words(
+        f"（质心不在两铰链之间的连线上：${first}$ 的质径积须自半径方向转过 $∠{angle}${zh}。）",
+        f" (The mass does not lie between the pins on their line: the product of ${first}$ is to be turned from its "
+        f"radius by the angle ${angle}${en}.)",
+    )
 
 
 def _sym(label: str) -> str:

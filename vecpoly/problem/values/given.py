@@ -58,12 +58,12 @@ class Datum:
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
-        told = self.words.of(lang) if self.words else f"${self._printed_symbol}$ = {self.text}"
+        told = self.words.of(lang) if self.words else f"${self.printed}$ = {self.text}"
         return as_printed(told.replace("{}", self.text) if self.symbol else told, lang)
 
     @property
-    def _printed_symbol(self) -> str:
-        """A speed in r/min is n_1, not ω_1."""
+    def printed(self) -> str:
+        """Its symbol as it is printed: a speed in r/min is n_1, not ω_1."""
         return f"n{self.symbol[1:]}" if self.symbol.startswith("ω_") and "r/min" in self.text else self.symbol
 
 

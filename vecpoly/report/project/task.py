@@ -14,6 +14,7 @@ from ..course.numbering import SMALL
 from ..course.structure import chapter as structure
 from ..picture import picture
 from ..sources import printed_source
+from ..statement.task import task as told_of
 from .binder import Binder, allowed
 
 _PICTURE = (110.0, 92.0)  # mm
@@ -35,7 +36,7 @@ def task(binder: Binder) -> dict[str, Any]:
         "source": printed_source(project.source, lang),
         "data": data,
         "demands": press.table(Words("设计要求", "The demands"), _DEMANDS[lang], asked, "ll") if asked else "",
-        "parts": [(part.problem.title.of(lang), part.problem.statement.of(lang)) for part in project.parts],
+        "parts": [(part.problem.title.of(lang), told_of(part.problem).of(lang)) for part in project.parts],
     }
 
 

@@ -19,7 +19,7 @@ from ...words import Lang, Words
 from ..answers.order import solution_of
 from ..flow.furniture import COLUMN
 from ..statement.asked import in_order, of_machines
-from ..statement.further import IF_ANY, further
+from ..statement.further import IF_ANY, further, number_in
 from ..statement.meant import meant_by
 from ..values import asked_as, called
 from .columns import HEADS, WITH_UNIT, Cells, headed, in_columns, is_headed
@@ -99,14 +99,18 @@ def _sought(solution: Solution, lang: Lang) -> Iterator[Cells]:
 
 def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterator[Cells]:
     """Their rows; those of each of several solutions under its number, which stands in their subscripts."""
-    numbers = {key: solution_of(solution.answers[key]) if key in solution.answers else 0 for key in keys}
-    before, more = 0, further(solution.construction.readings)
+    readings = solution.construction.readings
+    numbers = {
+        key: solution_of(answer) if (answer := solution.answers.get(key)) else number_in(readings[key].symbol)
+        for key in keys
+    }
+    before, more = 0, further(readings)
     for key in sorted(keys, key=numbers.__getitem__):
         one, number = solution.answers.get(key), numbers[key]
         if number != before and len({*numbers.values()} - {0}) > 1:
             yield headed(_SOLVED.of(lang).format(number) + (IF_ANY.of(lang) if key in more else ""))
         before = number
-        yield _none(solution.construction.readings[key], lang) if one is None else _row(one, solution, lang)
+        yield _none(readings[key], solution, lang) if one is None else _row(one, solution, lang)
 
 
 def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
@@ -158,8 +162,10 @@ def _is_length(one: Reading) -> bool:
     return one.unit == "mm"
 
 
-def _none(one: Reading, lang: Lang) -> Cells:
-    return called(one.symbol, one.key, lang), "" if _is_length(one) else NONE, "", _unit(one.unit), NONE
+def _none(one: Reading, solution: Solution, lang: Lang) -> Cells:
+    meant = meant_by(solution.problem.subject, one.key, f"${one.symbol}$")
+    name = called(one.symbol, one.key, lang) if meant is None else meant.of(lang).removeprefix("the ")
+    return name, "" if _is_length(one) else NONE, "", _unit(one.unit), NONE
 
 
 def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:

@@ -47,7 +47,7 @@ def in_columns(rows: Sequence[Cells], lang: Lang) -> RuledTable:
         widths[1] = min(widths[1], COLUMN / MM / 2 - widths[0])
     if len(rows) > _FEW and 2 * sum(widths) <= COLUMN / MM:
         half = _middle(rows)
-        cells = [[*one, *other] for one, other in zip_longest(cells[:half], cells[half:], fillvalue=[""] * len(kept))]
+        cells = [[*one, *other] for one, other in zip_longest(cells[:half], cells[half:], fillvalue=[NONE] * len(kept))]
         heads, widths, align = heads * 2, widths * 2, align * 2
     share = COLUMN / MM / sum(widths)
     return RuledTable(heads, cells, [one * share for one in widths], align, lang=lang)

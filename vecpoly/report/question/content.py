@@ -69,7 +69,8 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
     title, table = _READ if read else _FOUND, empty_table(solution, lang, lengths)
     foot = [Heading(title.of(lang), 3, lang), table, *words_for(solution.problem.explain, lang)]
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
-    return ({"given": ""} if shown else {}) | {
+    told = shown and bool(solution.problem.statement.zh)  # which links drive it stands in the statement
+    return ({"given": ""} if told else {}) | {
         "rows": [objects.add("rows", one) for one in equation_rows(solution, lang)],
         "circle": [objects.add("pic", one) for one in _circles(solution, blank, lang)],
         "working": [objects.add("work", one) for one in _working(solution, foot, lang)],

@@ -15,12 +15,12 @@ from ...problem.asked.asks import Ask, AskCoriolis, AskNamed, AskPoint
 from ...problem.asked.checks import is_check
 from ...problem.problem import Problem
 from ...solution import YES_NO, Solution
-from ...words import Lang, Words, bare
+from ...words import Lang, Words, bare, plural
 from ..values import asked_as, asked_load, called, curved, way_of
 from .centrodes import centrodes_asked
 from .further import THE_SAME, further
 from .groups import Group, by_groups, parted
-from .meant import meant_by, plural
+from .meant import meant_by
 
 _MEANT = {
     "eta": Words("效率 {}", "the efficiency {}"),

@@ -8,6 +8,7 @@ from ...devices.balancing.engine import InlineEngine
 from ...devices.balancing.field import FieldBalancing
 from ...devices.dynamics.reduced import ReducedTrain
 from ...devices.dynamics.run_up import RunUp
+from ...devices.eccentric_clamp import EccentricClamp
 from ...devices.gears.epicyclic import Epicyclic
 from ...devices.incline import Incline
 from ...devices.power_train import PowerTrain
@@ -20,6 +21,8 @@ from ...words import Words
 
 _ENGINE = {
     "lambda": Words("曲柄连杆比", "crank-rod ratio"),
+    "theta_I+": Words("质径积矢量和的方位角", "direction of the vector sum of the products"),
+    "theta_MI+": Words("质径积矩矢量和的方位角", "direction of the vector sum of the moments"),
     "W_I+": Words("质径积的矢量和", "vector sum of the products"),
     "F_I+": Words("惯性力", "inertia force"),
     "C_I+": Words("质径积对中间平面之矩的矢量和", "vector sum of the moments of the products"),
@@ -29,13 +32,14 @@ _FIELD = {
     r"V_t(_\d)?": Words("试重引起的振动", "effect of the trial weight"),
     "phi_t": Words("其相位", "its phase"),
     "alpha": Words("影响系数的大小", "size of the influence coefficient"),
-    "beta": Words("影响系数的相位", "phase of the influence coefficient"),
+    "beta": Words("试重须转过的角", "angle by which the trial weight is to be turned"),
     r"m_b(_\d)?": Words("校正质量", "correction mass"),
     r"theta_b(_\d)?": Words("校正质量的方位角", "angular position of the correction mass"),
-    "spread": Words("三圆交点的散布", "spread of the meetings of the circles"),
+    "spread": Words("三弧交成的小三角形的最长边", "longest side of the small triangle in which the three arcs meet"),
 }
 _FRICTION = {
     "phi": Words("摩擦角", "friction angle"),
+    r"phi_\d\d": Words("下标两构件间的摩擦角", "friction angle between the links of the subscript"),
     "F": Words("驱动力", "driving force"),
     "F_0": Words("理想驱动力", "ideal driving force"),
     "eta": Words("效率", "efficiency"),
@@ -47,10 +51,26 @@ _FRICTION = {
     "alpha_min": Words("不自锁的最小角", "least angle without self-locking"),
     "alpha_max": Words("不自锁的最大角", "maximum angle without self-locking"),
 }
-_CLAMP = {key: words for key, words in _FRICTION.items() if key in ("phi", "alpha_limit")}  # F holds the wedge there
+_CLAMP = {  # F holds the wedge there
+    "phi": Words("摩擦角", "friction angle"),
+    "alpha_limit": Words("自锁的极限角", "limit angle of self-locking"),
+    "F": Words("阻止楔块退出的力", "force that stops the wedge from slipping out"),
+    "F_0": Words("不计摩擦时阻止楔块退出的力", "the same force without friction"),
+    "eta": Words("退出（反行程）的效率", "efficiency of slipping out, the return stroke"),
+}
+_ECCENTRIC = {
+    "phi": Words("摩擦角", "friction angle"),
+    "F": Words("手柄上的力", "force on the handle"),
+    "F_0": Words("不计摩擦时手柄上的力", "force on the handle without friction"),
+    "eta": Words("夹紧的效率", "efficiency of clamping"),
+    "h": Words("撤去 $F$ 后工件反力对 $A$ 的力臂", "arm about $A$ of the reaction of the work when $F$ is gone"),
+    "e_limit": Words("能自锁的最大偏心距", "maximum eccentricity with self-locking"),
+}
 _JACK = {
     "phi": Words("摩擦角", "friction angle"),
+    "tan_alpha": Words("螺纹升角的正切", "tangent of the lead angle"),
     "alpha": Words("螺纹升角", "lead angle"),
+    "F": Words("手柄上的力", "force on the lever"),
     "M1(_over_Q)?": Words("环面的摩擦力矩", "friction moment of the ring"),
     "M2(_over_Q)?": Words("螺纹中的力矩", "moment of the thread"),
     "M(_over_Q)?": Words("手柄上的力矩", "moment of the lever"),
@@ -71,10 +91,11 @@ _GUIDE = {
 }
 _TRAIN = {
     "P_out": Words("输出功率", "power delivered"),
-    "eta_prime": Words("并联部分的效率", "efficiency of the parallel part"),
+    r"eta_prime(_\d+)?": Words("并联部分的效率", "efficiency of the parallel part"),
     "eta": Words("总效率", "efficiency of the whole"),
     "P": Words("电动机的功率", "power of the motor"),
     r"P_\w+_in": Words("电动机供给该工作机的功率", "share of the motor power"),
+    r"P_[A-Z]": Words("工作机的输出功率", "power delivered by the machine"),
 }
 _REDUCED = {
     "i_.*": Words("传动比的大小", "absolute speed ratio"),
@@ -90,6 +111,7 @@ _REDUCED = {
     "F_rope": Words("绳的拉力", "tension of the rope"),
 }
 _RUN = {
+    "M_d0": Words("起动力矩", "starting moment"),
     "omega_s": Words("稳定角速度", "steady angular velocity"),
     "T": Words("机电时间常数", "time constant"),
     "omega_t": Words("给定时刻的角速度", "angular velocity at the given time"),
@@ -111,6 +133,7 @@ DEVICES: tuple[tuple[type, Mapping[str, Words]], ...] = (
     (Wedges, _FRICTION),
     (RingSpring, _FRICTION),
     (WedgeClamp, _CLAMP),
+    (EccentricClamp, _ECCENTRIC),
     (ScrewJack, _JACK),
     (VeeGuide, _GUIDE),
     (PowerTrain, _TRAIN),

@@ -17,8 +17,13 @@ _TITLED = (re.compile(r"（解 ([2-9])）"), re.compile(r"\(solution ([2-9])\)")
 def further(readings: Mapping[str, Reading]) -> frozenset[str]:
     """The keys of what belongs to a second solution, or to one after that; none where the first has a number too: then
     the problem says how many there are."""
-    numbers = {key: int(found[1]) for key, one in readings.items() if (found := _NUMBER.search(one.symbol))}
+    numbers = {key: number for key, one in readings.items() if (number := number_in(one.symbol))}
     return frozenset() if 1 in numbers.values() else frozenset(numbers)
+
+
+def number_in(symbol: str) -> int:
+    """The number above a symbol, l_{AB}^{(2)}; 0 where there is none."""
+    return int(found[1]) if (found := _NUMBER.search(symbol)) else 0
 
 
 def doubtful(title: Words) -> Words:

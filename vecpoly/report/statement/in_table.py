@@ -107,7 +107,7 @@ def _by_bodies(data: tuple[Datum, ...], lang: Lang) -> tuple[tuple[Datum, ...], 
 def in_table_words(problem: Problem, lang: Lang) -> str:
     """What the columns of the table mean, and where it stands: masses m_i, radii r_i ... as in the table."""
     table = in_table(problem, lang)[1]
-    if table is None or not isinstance(problem.subject, Rotor):
+    if table is None or not isinstance(problem.subject, Rotor) or not problem.statement.zh:  # whose task tells them
         return _SEE.of(lang)
     if table.header[0] != _ROWS.of(lang):
         return _SEE.of(lang)

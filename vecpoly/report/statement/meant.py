@@ -11,6 +11,7 @@ from ...designs.limits_found import GuideBarLimits
 from ...designs.quick_return import Shaper
 from ...devices.balancing.rotor import Rotor
 from ...devices.balancing.shaking import ShakingForce
+from ...devices.base import Device
 from ...devices.dynamics.flywheel import Flywheel
 from ...devices.gears.generation import GearGeneration
 from ...devices.structure import Structure
@@ -51,11 +52,18 @@ _SHAKING = {
     "m_c": Words("平衡质量", "counterweight"),
     "c": Words("往复质量的平衡系数", "balanced fraction of the reciprocating mass"),
     "F_max": Words("最大振动力", "maximum shaking force"),
+    "phi_max": Words("最大振动力的位置", "position of the maximum shaking force"),
     "F": Words("振动力", "shaking force"),
 }
 _FLYWHEEL = {
     "P": Words("驱动功率", "driving power"),
+    "M_d": Words("驱动力矩", "driving moment"),
     "M_r": Words("阻力矩的大小", "magnitude of the resisting moment"),
+    "omega_max": Words("最大角速度", "maximum angular velocity"),
+    "omega_min": Words("最小角速度", "minimum angular velocity"),
+    r"phi_[a-z]\d*": Words("力矩线交点的位置", "place where the curves meet"),
+    r"W_\d+": Words("盈亏功", "surplus or deficit of work"),
+    "J_need": Words("所需的全部等效转动惯量", "equivalent moment of inertia that is needed in all"),
     "delta": Words("速度不均匀系数", "coefficient of speed fluctuation"),
     "n_max": Words("最大转速", "maximum speed"),
     "n_min": Words("最小转速", "minimum speed"),
@@ -103,6 +111,7 @@ _CD = _GRASHOF | {  # where other links give a double rocker, too, the one that 
     "CD_min": Words("以 $CD$ 为机架得双摇杆机构时其长度的下限", "lower bound of $CD$ as the frame of a double rocker"),
     "CD_max": Words("以 $CD$ 为机架得双摇杆机构时其长度的上限", "upper bound of $CD$ as the frame of a double rocker"),
 }
+_REACTION = re.compile(r"R_(\d)(\d)")
 _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
     (Structure, _COUNTS),
     (Rotor, _ROTOR),
@@ -116,23 +125,6 @@ _NAMED: tuple[tuple[type | tuple[type, ...], Mapping[str, Words]], ...] = (
 )
 
 
-def plural(name: str) -> str:
-    """The name of several: balancing masses, angular positions of the holes."""
-    head, joint, tail = next(
-        (name.partition(w) for w in (" of ", " of", " between ", " at ") if w in name), (name, "", "")
-    )
-    each = tail.startswith("the ") and head.endswith("position")  # of things of which there are several
-    return f"{_several(head)}{joint}{plural(tail) if each else tail}"
-
-
-def _several(noun: str) -> str:
-    if noun.endswith("radius"):
-        return noun.removesuffix("us") + "i"
-    if noun.endswith("ty"):
-        return noun.removesuffix("y") + "ies"
-    return noun + ("es" if noun.endswith("s") else "s")
-
-
 def meant_by(subject: object, key: str, symbol: str) -> Words | None:
     """The quantity with what it is, 低副数 $p_L$; None of one that no table of names has, or that the statement
     tells."""
@@ -141,5 +133,9 @@ def meant_by(subject: object, key: str, symbol: str) -> Words | None:
     names = next((names for kind, names in _NAMED if isinstance(subject, kind)), {})
     if isinstance(subject, Grashof) and not subject.is_found:
         names = _CD
+    if isinstance(subject, Device) and (pair := _REACTION.fullmatch(key)) is not None:
+        return Words(
+            f"构件 {pair[1]} 对构件 {pair[2]} 的力 {symbol}", f"force of link {pair[1]} on link {pair[2]} {symbol}"
+        )
     found = next((words for pattern, words in names.items() if re.fullmatch(pattern, key)), None)
     return None if found is None else found + Words.same(f" {symbol}")
