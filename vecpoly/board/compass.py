@@ -20,7 +20,7 @@ from .strokes import amount, spot
 WIDER = 0.62  # of a segment: radius of the equal arcs about its ends that bisect it
 JOINED = radians(100)  # nearer meetings of a circle lie on one arc
 PAST = 7.0  # mm beyond its last meeting
-TOUCHED, FAR = radians(45), 30.0  # on either side of a single one, but no farther than so (mm)
+TOUCHED, FAR = radians(45), 15.0  # on either side of a single one, but no farther than so (mm)
 
 
 class Compass(Instruments):
