@@ -69,5 +69,5 @@ SENSES = (("counter-clockwise", "clockwise"), ("逆时针", "顺时针"), ("left
 def mirrored(text: str) -> str:
     """Senses and sides exchanged."""
     for one, other in SENSES:
-        text = re.sub(f"{one}|{other}", lambda m, a=one, b=other: b if m[0] == a else a, text)
+        text = other.join(part.replace(other, one) for part in text.split(one))
     return text

@@ -18,7 +18,7 @@ from vecpoly.mechanism.model import Mechanism
 
 SAFE = "ABCDEFGHLM"  # letters that stand for nothing else
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-MM = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?) mm\b")
+MM = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?) mm(?![\w^²³/*])")
 
 
 def other_letters(rng: np.random.Generator, data: Data) -> Data | None:
@@ -73,7 +73,7 @@ def joints_in_another_order(rng: np.random.Generator, data: Data) -> Data | None
         new[key] = list(reversed(data.get(key) or []))
     if "guesses" in data:  # loads, masses and friction are told in their order
         new["guesses"] = dict(reversed(list(data["guesses"].items())))
-    return {key: value for key, value in new.items() if value}
+    return {key: value for key, value in new.items() if value or key in data}
 
 
 def mirror_image(rng: np.random.Generator, data: Data) -> Data | None:

@@ -176,7 +176,7 @@ def sized(desk: Desk, told: str, own: Mapping[str, float]) -> float:
         view, a, b = vectors(desk)[found[5]]
         return 2.0 * rate * abs(b - a) * desk.board.scale_of(view).value
     if found[8]:
-        return rate * own.get(f"r_{found[8]}") or radius_of(desk, found[8])
+        return rate * (own.get(f"r_{found[8]}") or radius_of(desk, found[8]))
     return rate * abs(place(desk, found[6]) - place(desk, found[7])) * desk.board.scale_of(View.MECHANISM).value
 
 

@@ -33,10 +33,10 @@ def _ways(desk: Desk, view: View, link: str, at: At, held: At) -> Words:
             f": ${symbol}$ is perpendicular to ${p}{x}$ in the sense of ${letter}_{link}$ ({way_en})",
         )
     if not nominal(desk.turns[omega(link)].value):
-        none, kind = f"$ω_{link}$ = 0" if view is View.VELOCITY else f"$ω_{link}$ = 0，$α_{link}$ = 0", QUANTITY[view]
+        none = f"$ω_{link}$ = 0" if view is View.VELOCITY else f"$ω_{link}$ = 0，$α_{link}$ = 0"
         return Words(
-            f"：{none}，故 ${x}$ 与 ${p}$ 的{kind.zh}相同",
-            f": since {none.replace('，', ' and ')}, ${x}$ has the same {kind.en} as ${p}$",
+            f"：{none}，故 ${x}$ 与 ${p}$ 的{QUANTITY[view].zh}相同",
+            f": since {none.replace('，', ' and ')}, ${x}$ has the same {QUANTITY[view].en} as ${p}$",
         )
     if view is View.ACCELERATION and ref is None:
         return Words(
