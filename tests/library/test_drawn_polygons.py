@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.drawn_library import IDS as TAKEN
-from tests.drawn_library import desk_of, drawn, ids, standing, tips
+from tests.drawn_library import desk_of, drawn, given, ids, standing, tips
 from tests.each import Later, each
 from tests.found import FOUND
 from vecpoly.board.construction import EquationTable, Step, View
@@ -153,7 +153,7 @@ def test_a_direction_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> N
 
 @each(IDS)
 def test_a_magnitude_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> None:
-    desk = desk_of(name)
+    desk, own = desk_of(name), {datum.symbol: datum.si for datum in given(name).given.data}
     by_symbol = vectors(desk)
     for view in POLYGONS.values():
         scale = desk.board.scale_of(view).value
@@ -161,12 +161,13 @@ def test_a_magnitude_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> N
             for symbol, size in zip(table.symbols, table.magnitudes, strict=True):
                 if size not in ("?", "✓"):
                     _, a, b = by_symbol.get(plain(symbol), (view, 0j, 0j))
-                    told = 0.0 if size == "0" else sized(desk, size)
+                    told = 0.0 if size == "0" else sized(desk, size, own)
                     assert abs(b - a) * scale == pytest.approx(told, rel=1e-9, abs=SEEN * scale), (symbol, size)
 
 
-def sized(desk: Desk, told: str) -> float:
-    """What a cell tells: ω or α of a link, or ω², times a length, a radius or a sliding velocity."""
+def sized(desk: Desk, told: str, own: Mapping[str, float]) -> float:
+    """What a cell tells: ω or α of a link, or ω², times a length, a radius or a sliding velocity; own: what is given,
+    by its symbol, of the radii of a stepped gear too."""
     found = re.fullmatch(rf"(2?)([ωα])_(\w+?)(\^2)?(l_({POINT})({POINT})|r_(\w+)|v_\w+)", plain(told))
     assert found is not None, told
     turn = abs(float(desk.turns[(omega if found[2] == "ω" else alpha)(found[3])].value))
@@ -175,12 +176,12 @@ def sized(desk: Desk, told: str) -> float:
         view, a, b = vectors(desk)[found[5]]
         return 2.0 * rate * abs(b - a) * desk.board.scale_of(view).value
     if found[8]:
-        return rate * radius_of(desk, found[8])
+        return rate * (own.get(f"r_{found[8]}") or radius_of(desk, found[8]))
     return rate * abs(place(desk, found[6]) - place(desk, found[7])) * desk.board.scale_of(View.MECHANISM).value
 
 
 def radius_of(desk: Desk, link: str) -> float:
-    """The radius of a gear."""
+    """The radius of a gear that is not told by the name of its link."""
     rolling = [j for j in desk.mech.joints if isinstance(j, Rolling)]
     radii = {j.gear.link: j.gear.radius for j in rolling} | {
         j.on.link: j.on.radius for j in rolling if isinstance(j.on, Circle)

@@ -114,7 +114,8 @@ def test_a_vector_that_follows_from_a_rotation_is_told_with_its_way_and_drawn_so
             continue
         found = ROTATED.search(step.words.zh)
         if found is None:
-            assert step.equation is not None or "由" in step.words.zh.partition("法向分量")[2], step.words.zh
+            told = "由" in step.words.zh.partition("法向分量")[2] or re.search("= 0，故 .*相同", step.words.zh)
+            assert step.equation is not None or told, step.words.zh
             continue
         across = 1j * (complex(desk.at[found[2]]) - complex(desk.at[found[1]])) * (1 if found[3] == "逆" else -1)
         ways = [

@@ -18,13 +18,17 @@ OFF = re.compile(
     r"\$(\w+)\$ lies ([\d.]+) mm from \$(\w+)\$ along [^.;]+?( produced backwards)? "
     r"and ([\d.]+) mm to its (left|right)"
 )
-LINE = r"(?:\$(\w)\w\$|the guide through \$(\w)\$)"
+END = "[A-Z][a-z]*"
+LINE = rf"(?:\$({END}){END}\$|the guide through \$({END})\$)"
 LEANS = re.compile(rf"{LINE} is at ([\d.]+)° to the (?:\$x\$ axis|horizontal)(, clockwise)?")
-ALONG = re.compile(r"\$(\w)\w\$ is (?:in the direction of|(opposite to)) the \$x\$ axis")
+ALONG = re.compile(rf"\$({END}){END}\$ is (?:in the direction of|(opposite to)) the \$x\$ axis")
 SQUARE = re.compile(rf"{LINE} is (?:horizontal|(vertical))")
-TO_GUIDE = re.compile(r"\$(\w)(\w)\$ is at ([\d.]+)° to the guide of link (\w+)(, clockwise)?")
+TO_GUIDE = re.compile(
+    rf"\$({END})({END})\$ is (?:at ([\d.]+)° to|(in the direction of)|(opposite to)) the guide of link (\w+)"
+    "(, clockwise)?"
+)
 COUNTS = re.compile(r"\$s_(\w)\$ counts (to the right|upwards) from the")
-ROUND = re.compile(r"\$(r(?:_\w)?)\$ = ([\d.]+) mm")
+ROUND = re.compile(r"\$(r(?:_\w+)?)\$ = ([\d.]+) mm")
 
 
 def said(text: str) -> float:
@@ -44,7 +48,8 @@ def told(datum: Datum) -> object:
     if found := SQUARE.search(words):
         return found[1] or found[2], 90.0 if found[3] else 0.0
     if found := TO_GUIDE.search(words):
-        return found[1], found[2], found[4], -said(found[3]) if found[5] else said(found[3])
+        turn = said(found[3]) if found[3] else 180.0 if found[5] else 0.0
+        return found[1], found[2], found[6], -turn if found[7] else turn
     if found := COUNTS.search(words):
         return found[1], found[2] == "upwards"
     if found := ROUND.search(words):
@@ -52,19 +57,24 @@ def told(datum: Datum) -> object:
     return None
 
 
+def printed(size: float) -> object:
+    """The same but for the sixth figure, which is the last that is printed."""
+    return pytest.approx(size, rel=5.1e-6)
+
+
 def seen(datum: Datum) -> object:
     """The same of the data."""
     match datum.seen:
         case SetOff(point=point, start=start, along=along, left=left):
-            return point, start, pytest.approx(1e3 * along), pytest.approx(1e3 * left)
+            return point, start, printed(1e3 * along), printed(1e3 * left)
         case Leaning(at=at, turn=turn):
-            return at, pytest.approx(degrees(turn))
+            return at, printed(degrees(turn))
         case OffItsGuide(at=at, end=end, link=link, turn=turn):
-            return at, end, link, pytest.approx(degrees(turn))
+            return at, end, link, printed(degrees(turn))
         case Counted(link=link, upright=upright):
             return link, upright
         case Round(symbol=symbol, radius=radius):
-            return symbol, pytest.approx(1e3 * radius)
+            return symbol, printed(1e3 * radius)
     return None
 
 

@@ -19,7 +19,8 @@ from .strokes import amount, spot
 
 WIDER = 0.62  # of a segment: radius of the equal arcs about its ends that bisect it
 JOINED = radians(100)  # nearer meetings of a circle lie on one arc
-PAST, TOUCHED = 7.0, radians(45)  # beyond its last meeting: mm; on either side of a single one
+PAST = 7.0  # mm beyond its last meeting
+TOUCHED, FAR = radians(45), 15.0  # on either side of a single one, but no farther than so (mm)
 
 
 class Compass(Instruments):
@@ -37,7 +38,7 @@ class Compass(Instruments):
         middle, far = spot(centre), amount(radius)
         if not float(far):  # by somebody's mistake: there is no circle
             return
-        beyond = TOUCHED if len(at) == 1 else min(PAST / max(float(far), PAST), TOUCHED)
+        beyond = min((FAR if len(at) == 1 else PAST) / max(float(far), PAST), TOUCHED)
         for first, last in _near(at, complex(middle)):
             start, end = spot(first) - middle, spot(last) - middle
             sweep = 0.0 if first is last else amount(np.angle(end / start)) % tau

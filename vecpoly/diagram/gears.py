@@ -24,9 +24,9 @@ HUB, ARM = 1.3, 6.0  # mm: from the centre of a wheel to where its arms begin; a
 BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
 
 
-def gear_marks(posed: Posed, circle: Circle, joint: Rolling, drawn: Sequence[Mark]) -> Iterator[Mark]:
+def gear_marks(posed: Posed, circle: Circle, joint: Rolling | None, drawn: Sequence[Mark]) -> Iterator[Mark]:
     """The pitch circle, unless it is on the paper; arms to the pins of a gear that is no bar;
-    its number; the hatching of a fixed one."""
+    its number; the hatching of a fixed one. joint: where it meshes, if it does."""
     centre, radius = posed.at[circle.centre], posed.mm(circle.radius)
     circles = (mark for mark in drawn if isinstance(mark, GearMark))
     if any(abs(mark.centre - centre) < BESIDE and abs(mark.radius - radius) < BESIDE for mark in circles):
@@ -102,8 +102,10 @@ def guided_rack(posed: Posed, link: str) -> Prismatic | None:
     return slide
 
 
-def _is_ring(circle: Circle, joint: Rolling) -> bool:
+def _is_ring(circle: Circle, joint: Rolling | None) -> bool:
     """Whether the circle is the inner teeth of a ring, inside which others are drawn."""
+    if joint is None:
+        return False
     other = joint.on if circle is joint.gear else joint.gear
     return joint.internal and isinstance(other, Circle) and circle.radius > other.radius
 

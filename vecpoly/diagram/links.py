@@ -78,6 +78,8 @@ def _teeth(posed: Posed, name: str) -> Iterator[Mark]:
                 drawn += gear_marks(posed, circle, rolling, tuple(drawn))
         if isinstance(rolling.on, Rack) and rolling.on.link == name:
             drawn += rack_marks(posed, rolling, rolling.on)
+    for circle in (one for one in posed.mech.idle if one.link == name):
+        drawn += gear_marks(posed, circle, None, tuple(drawn))
     yield from drawn
 
 
@@ -127,6 +129,8 @@ def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[
         both = {rolling.gear.link, rolling.on.link}
         if isinstance(rolling.on, Rack) and both & set(links) and posed.is_located(*both):
             yield rolling.on.link, rack_marks(posed, rolling, rolling.on)
+    for circle in (one for one in posed.mech.idle if one.link in links):
+        yield circle.link, gear_marks(posed, circle, None, paper)
     for name in dict.fromkeys(joint.block for joint in posed.slides() if _has_block(posed, joint)):
         yield name, _welded(name, paper)
     for letter in posed.hinged() | posed.rollers():

@@ -127,6 +127,7 @@ class Mechanism:
     starts: tuple[Start, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
     welded: tuple[tuple[str, str], ...] = ()  # rollers that turn idly, and the link of which each is taken as a part
+    idle: tuple[Circle, ...] = ()  # gears that mesh with nothing: they are drawn, and lead nothing
     cams: tuple[CamProfile, ...] = ()  # contacts whose discs only stand for a profile, at one place after another
     instead_of: Drive | None = None  # the drive that is given, where another link is thought to drive
 

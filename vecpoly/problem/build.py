@@ -19,6 +19,7 @@ from .asked.target import read_target
 from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
+from .joints.idle import idle_gears
 from .joints.joints import read_joint, revolutes
 from .joints.motion import read_input
 from .joints.pins import read_pins
@@ -119,6 +120,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
         starts=tuple(draft.start for draft in bodies.drafts.values() if draft.start is not None),
         guesses=guesses,
         welded=tuple(bodies.welded.items()),
+        idle=idle_gears(bodies, joints),
     )
     mech = replace(mech, cams=read_profiles(mech, bodies, faults))
     return geared(seated(mech, read_pins(spec.pins, mech, faults)), spec, faults), motion

@@ -152,6 +152,8 @@ def _input(by: Isometry, given: Data) -> Data:
 
 
 def _load(by: Isometry, load: Data) -> Data:
+    if "cylinder" in load:
+        return load  # a thrust, which is the same in a mirror
     turned = {"direction": by.absolute} if "direction" in load else {"size": by.turning}
     return {key: turned[key](value) if key in turned else value for key, value in load.items()}
 

@@ -50,9 +50,9 @@ def keep_arm(st: Statics, named: Named, arm: Product) -> None:
     )
 
 
-def keep_nothing(st: Statics, named: Named) -> None:
-    """A value that is zero because nothing works."""
-    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=0.0), 0.0)
+def keep_nothing(st: Statics, named: Named, otherwise: Reals = 0.0) -> None:
+    """A value that is zero because nothing works; otherwise: what other hands find, to whom something seems to work."""
+    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=0.0), otherwise)
 
 
 def measured(st: Statics, drawn: Drawn) -> Product:

@@ -32,7 +32,13 @@ def _ways(desk: Desk, view: View, link: str, at: At, held: At) -> Words:
             f"：${symbol}$ ⊥ ${p}{x}$，指向与 ${letter}_{link}$（{way}）一致",
             f": ${symbol}$ is perpendicular to ${p}{x}$ in the sense of ${letter}_{link}$ ({way_en})",
         )
-    if view is View.ACCELERATION and ref is None and nominal(desk.turns[omega(link)].value):
+    if not nominal(desk.turns[omega(link)].value):
+        none = f"$ω_{link}$ = 0" if view is View.VELOCITY else f"$ω_{link}$ = 0，$α_{link}$ = 0"
+        return Words(
+            f"：{none}，故 ${x}$ 与 ${p}$ 的{QUANTITY[view].zh}相同",
+            f": since {none.replace('，', ' and ')}, ${x}$ has the same {QUANTITY[view].en} as ${p}$",
+        )
+    if view is View.ACCELERATION and ref is None:
         return Words(
             f"：$α_{link}$ = 0，只有法向分量，由 ${x}$ 指向 ${p}$",
             f": since $α_{link}$ = 0, it is purely normal and points from ${x}$ to ${p}$",

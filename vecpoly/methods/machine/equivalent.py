@@ -13,11 +13,11 @@ from ...foundation.slotted import replace
 from ...mechanism.asked.machine import Equivalent
 from ...mechanism.loads import Mass
 from ...names import At, Kind, Rel, omega, written_unit
-from ...plane import nominal
+from ...plane import Reals, nominal
 from ...words import Words
 from ..desk import POLE
 from ..forces.balance.power_terms import works
-from ..forces.balance.virtual_power import written_power
+from ..forces.balance.virtual_power import total_of, written_power
 from ..forces.friction import STILL
 from ..forces.readings import keep_nothing, keep_value
 from ..forces.senses import told_by_powers
@@ -190,11 +190,12 @@ def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     if not _is_told(st, MEASURED):
         st.board.remark(MEASURED)
     parts = [written_power(st, work) for work in given]
+    value = total_of(parts) / (moved.size.value * moved.sign)
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
-        keep_nothing(st, to.load)
+        keep_nothing(st, to.load, value)
         return
-    _keep_load(st, to, moved, moving)
+    _keep_load(st, to, moved, moving, value)
 
 
 def _of_power(load: str, speed: str, *, force: bool) -> Words:
@@ -222,10 +223,9 @@ def _along(load: str, speed: str, along: bool) -> Words:
     )
 
 
-def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity]) -> None:
-    """The size of F_e or M_e, |ΣP| over the motion, and which way it acts or turns."""
+def _keep_load(st: Statics, to: Equivalent, moved: Motion, moving: list[Quantity], value: Reals) -> None:
+    """The size of F_e or M_e, |ΣP| over the motion, and which way it acts or turns; value: with its sign."""
     named, every = to.load, Sum(tuple(moving), (1,) * len(moving))
-    value = every.value / (moved.size.value * moved.sign)
     sense, along = int(np.sign(nominal(value))), nominal(every.value) > 0
     if to.slide and sense:
         st.board.remark(_along(named.symbol, moved.symbol, along))

@@ -55,8 +55,9 @@ def _circle(draft: Draft, kind: str, data: Mapping[str, Value]) -> None:
             ),
             code="missing",
         )
-    edge = kind == "disc" and str(data["radius"]).split()[0] in ("0", "0.0")  # a knife edge
-    radius = read(data["radius"], Dim.LENGTH) if edge else positive(data["radius"])
+    size = read(data["radius"], Dim.LENGTH)
+    edge = kind == "disc" and size.si == 0  # a knife edge, however its zero is written
+    radius = size if edge else positive(data["radius"])
     circle = Circle(link=draft.name, centre=centre, radius=radius.si)
     draft.gear, draft.disc = (circle, None) if kind == "gear" else (None, circle)
     if radius.si:  # of a knife edge there is nothing to tell

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping
-from math import isclose, pi
+from math import isclose, pi, remainder
 
 from ...board.construction import Figure
 from ...board.paper.marks import Mark, Point
@@ -18,6 +18,7 @@ from .set_off import in_degrees
 _BESIDE, _AWAY = 8.0, 15.0  # mm: from the pin to its dimension; from the block to the arc of an angle
 _NEAR = 1e-9  # m
 _CLOSE = 0.02  # rad
+_FLAT = 1e-9  # rad
 
 
 def mechanism(problem: Problem, figure: Figure) -> Iterator[Mark]:
@@ -37,7 +38,7 @@ def mechanism(problem: Problem, figure: Figure) -> Iterator[Mark]:
     for joint in guides if named else ():
         yield from _offset(mech, joint, cmath.rect(1.0, turns[joint]), spots, figure.scale.value)
     for datum in problem.given.data:
-        if isinstance(told := datum.seen, OffItsGuide) and {told.at, told.end} <= set(spots):
+        if isinstance(told := datum.seen, OffItsGuide) and {told.at, told.end} <= set(spots) and _opens(told.turn):
             way = next((turn for joint, turn in turns.items() if told.link in (joint.block, joint.guide)), None)
             if way is not None:
                 yield from _to_guide(spots[told.at], spots[told.end], way, told.turn)
@@ -63,6 +64,11 @@ def _offset(
 def _from_pin(pin: complex, along: complex, off: float, away: complex) -> Iterator[Mark]:
     """e from a pin, so far to the left of its guide, to the guide."""
     yield from span(pin, pin - 1j * along * off, "e", _BESIDE * away)
+
+
+def _opens(turn: float) -> bool:
+    """Whether there is an angle to mark: a bar in the direction of its guide, or opposite to it, has none."""
+    return abs(remainder(turn, pi)) > _FLAT
 
 
 def _to_guide(at: complex, end: complex, turn: float, given: float) -> Iterator[Mark]:

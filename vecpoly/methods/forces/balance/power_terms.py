@@ -93,10 +93,10 @@ def rate_of(st: Statics, load: Load) -> Rate:
 
 
 def turning(st: Statics, link: str) -> Rate:
-    """ω of a link."""
+    """ω of a link; one that does not turn by this hand may turn by another."""
     value = st.desk.turns[omega(link)].value
-    still = abs(nominal(value)) <= STILL * st.speed / st.mech.scale
-    return Rate(expr=magnitude(f"ω_{link}", np.abs(value), "rad/s"), sign=0.0 if still else np.sign(value))
+    still = np.abs(value) <= STILL * st.speed / st.mech.scale
+    return Rate(expr=magnitude(f"ω_{link}", np.abs(value), "rad/s"), sign=np.where(still, 0, np.sign(value))[()])
 
 
 def along_force(st: Statics, at: At, along: Points, symbol: str) -> Rate:

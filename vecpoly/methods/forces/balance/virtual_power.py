@@ -3,6 +3,8 @@ no reaction appears."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ....algebra.formula import sym
@@ -55,11 +57,10 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
         raise idle(load)
     draw_rate(st, rate)
     moving = [part for part in parts if nominal(part.value)]
+    value = -total_of(parts) / (rate.sign * rate.expr.value)
     if not moving:
-        keep_nothing(st, named)
+        keep_nothing(st, named, value)
         return
-    total = sum((part.value for part in parts), np.zeros(()))
-    value = -total / (rate.sign * rate.expr.value)
     way = _told(st, load, named, rate, value) if isinstance(load, Moment) else rate.way
     expr = Sum(tuple(moving), (-way,) * len(moving)) / rate.expr
     st.board.write_worked(sym(named.symbol), expr, named.unit)
@@ -75,6 +76,11 @@ def _told(st: Statics, load: Moment, named: Named, rate: Rate, value: Reals) -> 
     powers = Words("各已知功率", "The known powers")
     st.board.remark(told_by_powers(powers, not driving, (named.symbol, turns), sense, along=driving))
     return 1 if driving else -1
+
+
+def total_of(powers: Sequence[Quantity]) -> Reals:
+    """Σ P (W) by every hand: also of what works by other hands than this."""
+    return sum((power.value for power in powers), np.zeros(()))
 
 
 def written_power(st: Statics, work: Work) -> Quantity:

@@ -19,6 +19,7 @@ from ..state import Statics
 
 COUPLE = 8.0  # mm, radius of a couple's arrow
 SHORT = 2.0  # mm: shorter arms carry no letter
+BESIDE = 30.0  # mm from a point of the body
 PIECE = 8.0  # mm to both sides of a foot that is far from where the force acts
 
 
@@ -46,7 +47,7 @@ def draw_arm(st: Statics, pane: Place, about: Points, end: Points, line: Line, l
     """The arm from the point to the line of action, with its letter; the line runs from its own point to the foot, of
     a foot that is far from there no more than a piece about it."""
     board, at = st.board, line.at
-    if (arm := float(abs(nominal(end - about)))) > REACH:
+    if (arm := float(abs(nominal(end - about)))) > REACH and not _reaches(st, pane, end):
         board.remark(_not_drawn(letter, arm))
         return
     board.join(pane, about, end, Role.CONSTRUCTION)
@@ -58,6 +59,12 @@ def draw_arm(st: Statics, pane: Place, about: Points, end: Points, line: Line, l
     if abs(nominal(end - about)) > SHORT:
         board.right_angle(pane, end, unit(about - end), unit(at - end) if away > 1.0 else line.along)
         board.plot(pane, (about + end) / 2, letter, Dot.NONE)
+
+
+def _reaches(st: Statics, pane: Place, end: Points) -> bool:
+    """Whether the body itself goes as far as the end of an arm, or nearly."""
+    points = (mark.at for mark in st.board.marks(pane) if isinstance(mark, Point) and mark.dot is not Dot.NONE)
+    return any(abs(at - complex(nominal(end))) < BESIDE for at in points)
 
 
 def _not_drawn(letter: str, arm: float) -> Words:
