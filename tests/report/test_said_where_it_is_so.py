@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import pytest
 
+from tests.drawn_library import IDS, drawn
+from tests.each import each
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import Point
 from vecpoly.board.ruler import READABLE
 from vecpoly.board.said.short import too_short
 from vecpoly.problem.load import load
@@ -34,9 +39,15 @@ def test_a_moment_that_does_no_work_is_not_called_a_force() -> None:
     assert "The moment $M_{5}$ does no work" in said("plate-two-slides")
 
 
-@pytest.mark.parametrize("name", ["C-inertia", "plate-on-crank", "plate-two-slides"])
+@pytest.mark.parametrize("name", ["plate-on-crank", "plate-two-slides"])
 def test_a_component_that_vanishes_has_its_reason(name: str) -> None:
     assert "no moment about it, so $R^t_" in said(name) and ": so" not in said(name)
+
+
+def test_an_arm_too_short_to_be_read_is_no_force_without_a_moment() -> None:
+    """F_I3 is shifted by h_3 and all but passes through C: 0.04 mm on paper."""
+    assert "too near for an arm to be read, so $R^t_{43}$ = 0 is taken" in said("C-inertia")
+    assert "no moment about it" not in said("C-inertia")
 
 
 def test_each_plane_is_judged_by_its_own_permissible_unbalance() -> None:
@@ -57,3 +68,27 @@ def test_the_bar_of_a_knife_edge_is_as_long_as_the_circle_alone() -> None:
         if "OE" in (words := step.words).en and "r_1" in words.en
     ]
     assert "r_1" in told.zh and "r_2" not in told.en + told.zh
+
+
+def test_a_cylinder_that_lengthens_evenly_has_one_vector_to_shift_and_no_sum_of_two() -> None:
+    assert "it is then the thin line $c_2^′c_3^′$" in said("tipper") and "sum of both" not in said("tipper")
+    assert "The given vector is shifted so that it ends at $c_3$" in said("tipper")
+
+
+def test_a_firing_order_is_told_where_it_is_given() -> None:
+    assert "firing order" not in said("engine-three") and "In the order of the cylinders" in said("engine-three")
+    assert "In firing order" in said("engine-four")
+
+
+def test_a_rack_is_drawn_through_its_pin_or_at_its_distance() -> None:
+    assert "through $B$ draw the pitch line of rack 2" in said("crank-rack-pinion")
+
+
+@each((*IDS, "shaper-cut"))
+def test_a_resultant_on_the_diagram_is_that_of_a_step(name: str) -> None:
+    figures = drawn(name).figures(View.MECHANISM)
+    labels = {mark.label for figure in figures for mark in figure.marks if isinstance(mark, Point)}
+    words = "".join(step.words.en for step in drawn(name).construction.steps)
+    for label in labels:
+        if re.fullmatch(r"P_\{\d\}", label):
+            assert f"${label}$" in words, label

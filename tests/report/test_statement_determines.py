@@ -101,6 +101,16 @@ def test_a_face_beside_its_letter_is_told_by_the_line_beside_which_it_lies() -> 
     assert "the face of link 2 is parallel to $AE$, 6 mm to the left of it" in _data(load("cam-moves-flat-arm"), "en")
 
 
+def test_a_pitch_line_is_told_by_the_pin_or_the_line_through_which_it_runs() -> None:
+    assert "构件 2 的齿条节线过 $B$" in _data(load("crank-rack-pinion"))
+    assert "the pitch line of the rack of link 3 coincides with $DC$" in _data(load("rack-on-a-rocker"), "en")
+
+
+@pytest.mark.parametrize("name", ["straight-roberts", "cognates"])
+def test_the_coordinates_of_a_coupler_point_are_told_to_be_those_of_the_coupler(name: str) -> None:
+    assert "$E$ 的坐标以 $B$ 为原点、$BC$ 为横轴（纵轴在其左侧）" in _data(load(name))
+
+
 def test_a_guide_bar_that_is_not_square_to_its_guide_leans_to_one_side() -> None:
     assert "构件 3 的滑道与导路成 60°（由后者顺时针量）" in _data(load("3-14"))
     assert any(one == "构件 3 的滑道与导路成 90°" for one in _data(load("3-7d")))

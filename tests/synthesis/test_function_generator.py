@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, radians, sin
+from math import cos, degrees, radians, sin
 from typing import Any
 
 import numpy as np
@@ -13,13 +13,14 @@ from hypothesis import strategies as st
 import vecpoly
 from tests.laws import often
 from tests.synthesis.inversion import posed, solved
-from vecpoly.board.paper.marks import Point
+from vecpoly.board.paper.marks import AngleMark, Point
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.designs.base import Design
 from vecpoly.designs.generator.formula import Formula
 from vecpoly.errors import AssemblyError, NotAskedError, ProblemFileError
 from vecpoly.oracle.synthesis.registry import linkages
-from vecpoly.solution import Solution
+from vecpoly.problem.load import load
+from vecpoly.solution import Solution, solve
 
 LOG: dict[str, Any] = {
     "AD": "100 mm",
@@ -192,3 +193,10 @@ def test_trials_that_miss_by_as_much_to_either_side_have_the_crank_midway_betwee
     at = {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}
     trials = [figure.scale.value * abs(at[f"{letter}_1"] - at["A"]) for letter in "EF"]
     assert 2 / solution.answers["AB"].drawn == pytest.approx(sum(1e-3 / length for length in trials), rel=1e-9)
+
+
+def test_an_angle_beyond_half_a_turn_is_marked_as_it_counts() -> None:
+    """φ_1 = 274° counter-clockwise from AD, not 86° clockwise."""
+    marks = [mark for figure in solve(load("function-log")).construction.figures for mark in figure.marks]
+    swept = {mark.label: degrees(mark.sweep) for mark in marks if isinstance(mark, AngleMark)}
+    assert swept["φ_1"] == pytest.approx(274.0, abs=0.1) and swept["ψ_3"] == pytest.approx(265.6, abs=0.1)

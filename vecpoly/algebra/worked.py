@@ -210,6 +210,12 @@ def size_of(line: Row) -> float:
     return abs(_by_one(cast("Expr", line.worked)))
 
 
+def sizes_in(line: Row) -> Iterator[tuple[Node, float]]:
+    """The quantities that a line goes on with: symbol, and value without its sign."""
+    for one in _quantities(cast("Expr", line.worked)):
+        yield one.node, abs(float(nominal(one.value)))
+
+
 def scale_of(line: Row) -> float | None:
     """The scale before the lengths of a line such as l = μ_l AB; None of a line that begins with no such factor."""
     own = line.worked.terms[0] if isinstance(line.worked, Sum) and len(line.worked.terms) == 1 else line.worked

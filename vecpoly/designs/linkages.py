@@ -6,6 +6,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..units.reading import Quantity
+from ..words import Words
+
+OF_COUPLER = Words(
+    "$E$ 的坐标以 $B$ 为原点、$BC$ 为横轴（纵轴在其左侧）",
+    "the coordinates of $E$ count from $B$, with $BC$ for the axis of abscissae and the ordinate to the left of it",
+)
 
 
 def _mm(value: float) -> str:

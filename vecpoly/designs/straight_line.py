@@ -15,7 +15,7 @@ from ..units.reading import Quantity
 from ..words import Words
 from .base import Design
 from .inversion.written import Place
-from .linkages import four_bar
+from .linkages import OF_COUPLER, four_bar
 from .ranges import extremes
 
 L, BAND = Named("L", "L", "mm"), Named("delta", "δ", "mm")
@@ -83,12 +83,12 @@ class StraightLine(Design):
         """A four-bar, a point of whose coupler runs nearly straight."""
         side = Words("左", "left") if self.side == "left" else Words("右", "right")
         return Words(
-            f"铰链四杆机构 $ABCD$ 的 $A$ 为原点，机架 $AD$ 在 $x$ 轴上，$C$ 在由 $B$ 到 $D$ 的射线{side.zh}侧；连杆 "
-            "$BC$ 上 $E$ 点的坐标以 $B$ 为原点、$BC$ 为横轴（纵轴在其左侧）。$AB$ 的位置角 $φ$ 自 $x$ 轴逆时针量起，"
+            f"铰链四杆机构 $ABCD$ 的 $A$ 为原点，机架 $AD$ 在 $x$ 轴上，$C$ 在由 $B$ 到 $D$ 的射线{side.zh}侧；$E$ 为"
+            "连杆 $BC$ 上的点。$AB$ 的位置角 $φ$ 自 $x$ 轴逆时针量起，"
             "在给定范围内转动时 $E$ 的轨迹近似为平行于 $AD$ 的直线段，其长度为 $L$，轨迹所在带的宽度为 $δ$。",
             "In the four-bar linkage $ABCD$, $A$ is the origin and the frame $AD$ lies on the $x$ axis, with $C$ on "
-            f"the {side.en} of the ray from $B$ to $D$; the point $E$ of the coupler is given from $B$, with $BC$ for "
-            "its axis of abscissae and the ordinate to the left of it. While $AB$ turns through the range of its "
+            f"the {side.en} of the ray from $B$ to $D$; $E$ is a point of the coupler. "
+            "While $AB$ turns through the range of its "
             "angle $φ$, counter-clockwise from the $x$ axis, $E$ runs nearly straight and parallel to $AD$: $L$ is "
             "the length of that part of its path, $δ$ the width of the band in which it lies.",
         )
@@ -96,6 +96,10 @@ class StraightLine(Design):
     def quantities(self) -> tuple[Named, ...]:
         """The length of the straight part, the width of the band in which it lies."""
         return L, BAND
+
+    def told(self) -> tuple[Words, ...]:
+        """From where the coupler's point is counted."""
+        return (OF_COUPLER,)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The four-bar, its coupler point, the range."""

@@ -10,16 +10,17 @@ from ..algebra.formula import Row, plain
 from ..board.construction import Construction
 
 _PRODUCT = r"(\d[\d.]*(?: × \d[\d.]*)*)"
-_WORKED = re.compile(rf"= \(?{_PRODUCT}\)?(?:/\({_PRODUCT}\))? = (\d+(?:\.\d+)?)(?: \S*)?$")
+_WORKED = re.compile(rf"= \(?{_PRODUCT}\)?(?:/\({_PRODUCT}\))? = (\d+(?:\.\d+)?)(?: \S+)?(?: [=≈] .*)?$")
 
 
 def some_go_down(construction: Construction) -> bool:
     """Whether a reader who rounds what lies midway up would get another result of a line: 0.015 × 53.9 = 0.808."""
     lines = (line for step in construction.steps for line in step.formulas if isinstance(line, Row))
-    return any(map(_goes_down, map(plain, lines)))
+    return any(map(goes_down, map(plain, lines)))
 
 
-def _goes_down(line: str) -> bool:
+def goes_down(line: str) -> bool:
+    """The same of one line."""
     found = _WORKED.search(line)
     if found is None:
         return False

@@ -10,11 +10,12 @@ from ..algebra.formula import Node, Row, Txt, named, sym
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
+from .alike import of_both, one_name
 from .arcs import arcs_as_told
 from .digits import coordinates
 from .metres import in_metres
 from .places import place_parts
-from .told import EQUALS, NUMBER, Told, number_of, of_both
+from .told import EQUALS, NUMBER, Told, number_of
 from .units import printed_unit
 
 
@@ -29,7 +30,7 @@ class _Printed:
             line = answer.reading.formula
             if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
                 self._ends[line.items[0], line.items[-1]] = self._own[id(line)] = end
-        self._told = Told(answers.values())
+        self._told = Told(answers.values(), one_name(answers.values(), lines))
         self._told.carry([(line, self._end_of(line)) for line in lines])
 
     @property

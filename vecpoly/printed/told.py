@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import floor, isclose, isfinite, log10
 
 from ..algebra.columns import significant
@@ -12,13 +12,12 @@ from ..algebra.quantity import number
 from ..algebra.rounding import read_back
 from ..algebra.worked import goes_on, numbers_of, reckoned_again, scale_of, size_of, told_again
 from ..answer import YES_NO, Answer
-from ..foundation.slotted import replace
+from .alike import of_both
 from .digits import MOST, decimals, leads_with_1, places_as_read, rounded
 from .lengths import is_length, only_length
 from .units import printed_unit
 
 NUMBER = re.compile(r"(−?)\d+(?:\.\d+)?(?:×10\^\{−?\d+\})?")  # as `number` writes it
-_PAIR = re.compile(r"(\d)(\d)(?=,|$)")  # of links, by whose numbers the force in their joint is called
 EQUALS, ABOUT = " = ", " ≈ "
 _FINE, _FEW = 5, 3  # figures of a number that is carried on, at most; of one that goes on with an answer, at least
 _MORE, _FINEST = 4, 6  # figures that it has where those are too few; where five are, for what lies midway
@@ -29,9 +28,10 @@ _NEAR = 0.01  # share by which what printed numbers give may differ from what th
 class Told:
     """The numbers of asked quantities as they are printed; of others as the lines need them that go on with them."""
 
-    def __init__(self, answers: Iterable[Answer]) -> None:
+    def __init__(self, answers: Iterable[Answer], names: Mapping[Node, Node]) -> None:
+        self._names = names  # of what is another number of the same kind
         asked = (one for one in answers if not one.is_place and not one.undefined and one.reading.unit != YES_NO)
-        self._by_symbol = {of_both(named(one.reading.symbol)): one for one in asked if isfinite(one.drawn)}
+        self._by_symbol = {self._name(named(one.reading.symbol)): one for one in asked if isfinite(one.drawn)}
         self._carried: dict[Node, tuple[float, str]] = {}  # of what is not asked: its size, its number
         self._finer: dict[Node, str] = {}  # of what is asked, and gone on with to more figures than it is answered
         self._later: dict[Node, list[tuple[Row, str]]] = {}  # the lines that go on with it, and their ends
@@ -57,10 +57,10 @@ class Told:
             if shown is None:
                 continue
             for symbol, value, text in numbers_of(line, shown, self._told):
-                if self._refine(of_both(symbol), value, text) and end is not None:
+                if self._refine(self._name(symbol), value, text) and end is not None:
                     self.strained.add(of_both(line.items[0]))
             for one, value, text in numbers_of(line, shown, self._told):
-                symbol = of_both(one)
+                symbol = self._name(one)
                 self._later.setdefault(symbol, []).append((line, shown))
                 if isinstance(symbol, Sym) and _figures(text) > _figures(needed.get(symbol, (0.0, ""))[1]):
                     needed[symbol] = abs(value), text
@@ -78,7 +78,7 @@ class Told:
 
     def _own(self, line: Row, needed: dict[Node, tuple[float, str]]) -> None:
         """The number of a line that is not asked: to the scale that it is read to, or as fine as it is gone on with."""
-        symbol, shown = of_both(line.items[0]), number_at_the_end(line.items[-1])
+        symbol, shown = self._name(line.items[0]), number_at_the_end(line.items[-1])
         if shown is None or not isinstance(symbol, Sym) or symbol in self._by_symbol:
             return
         size = _size(line, needed.get(symbol))
@@ -114,7 +114,7 @@ class Told:
 
     def _goes_on(self, line: Row, shown: str, symbol: Node | None = None) -> bool:
         """Whether a line goes on with what is told, with this symbol's number too: 31.416² stood under ω = 31.42."""
-        return goes_on(line, shown, self._told, lambda one: of_both(one) == symbol)
+        return goes_on(line, shown, self._told, lambda one: self._name(one) == symbol)
 
     def _within(self, line: Row, shown: str) -> bool:
         """Whether the line needs no more than a few guard figures to come to this."""
@@ -123,7 +123,7 @@ class Told:
     def _end(self, line: Row, end: Txt | None) -> Node:
         """The end of a line: this one, or its own with the number as it is carried on."""
         last = self._guarded(line, end) or line.items[-1]
-        carried = self._carried.get(of_both(line.items[0])) if end is None else None
+        carried = self._carried.get(self._name(line.items[0])) if end is None else None
         if carried is None or not isinstance(last, Txt):
             return last
         size, text = carried
@@ -133,7 +133,7 @@ class Told:
 
     def _guarded(self, line: Row, end: Txt | None) -> Txt | None:
         """The end of an answer's line, after the number that later lines go on with: 3.126 rad/s ≈ 3.13 rad/s."""
-        symbol = of_both(line.items[0])
+        symbol = self._name(line.items[0])
         finer = self._finer.get(symbol)
         if end is None or finer is None or EQUALS not in end.text:
             return end
@@ -152,9 +152,14 @@ class Told:
             return Row((*line.items[:-1], last))
         return Row((*line.items[:-1], last)) if shown is None else told_again(line, last, shown, self._told)
 
+    def _name(self, symbol: Node) -> Node:
+        """The symbol by which its number is known."""
+        symbol = of_both(symbol)
+        return self._names.get(symbol, symbol)
+
     def _told(self, symbol: Node, value: float) -> str:
         """The number as it is printed elsewhere; nothing of another, or of one that is gone on with otherwise."""
-        symbol = of_both(symbol)
+        symbol = self._name(symbol)
         answer = self._by_symbol.get(symbol)
         if answer is not None:
             if not isclose(abs(value), abs(answer.drawn), rel_tol=1e-9):
@@ -163,14 +168,6 @@ class Told:
             return ("−" if value < 0 else "") + finer if finer else number_of(answer, value, 1.0)
         size, text = self._carried.get(symbol, (0.0, ""))
         return ("−" if value < 0 else "") + text if text and isclose(abs(value), size, rel_tol=1e-9) else ""
-
-
-def of_both(symbol: Node) -> Node:
-    """The symbol by which a number is known: R_12 of R_21, too, which is as large."""
-    if not isinstance(symbol, Sym) or symbol.base.rstrip("′") != "R" or (pair := _PAIR.match(symbol.sub)) is None:
-        return symbol
-    first, second = sorted(pair.groups())
-    return replace(symbol, sub=first + second + symbol.sub[pair.end() :])
 
 
 def _size(line: Row, told: tuple[float, str] | None) -> float:

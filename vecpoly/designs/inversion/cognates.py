@@ -13,6 +13,7 @@ from ...errors import FaultError
 from ...names import Named
 from ...words import Words
 from ..base import Design
+from ..linkages import OF_COUPLER
 from .written import Place
 
 STRETCHED = 1e-9  # of BC + CD: by so little they meet or miss at random
@@ -67,13 +68,13 @@ class Cognates(Design):
         side = Words("左", "left") if self.side == "left" else Words("右", "right")
         return Words(
             "铰链四杆机构 $ABCD$ 的 $A$ 为原点，机架 $AD$ 在 $x$ 轴上，$AB$ 的位置角 $φ$ 自 $x$ 轴逆时针量起，$C$ 在"
-            f"由 $B$ 到 $D$ 的射线{side.zh}侧；连杆上 $E$ 点的坐标以 $B$ 为原点、$BC$ 为横轴（纵轴在其左侧）。按罗伯茨"
+            f"由 $B$ 到 $D$ 的射线{side.zh}侧，$E$ 为连杆上的点。按罗伯茨"
             "—切比雪夫定理作出使 $E$ 画出同一轨迹的两个同源机构：左侧的 $AGHF$（机架 $AF$）和右侧的 $DMNF$（机架 "
             "$DF$）。",
             "In the four-bar linkage $ABCD$, $A$ is the origin and the frame $AD$ lies on the $x$ axis; $AB$ stands "
             f"at the angle $φ$, counter-clockwise from the $x$ axis, and $C$ on the {side.en} of the ray from $B$ to "
-            "$D$. The point $E$ of the coupler is given from $B$, with $BC$ for its axis of abscissae and the "
-            "ordinate to the left of it. Draw by the theorem of Roberts and Chebyshev both cognates that lead $E$ "
+            "$D$. $E$ is a point of the coupler. "
+            "Draw by the theorem of Roberts and Chebyshev both cognates that lead $E$ "
             "along the same path: $AGHF$ on the left, with the frame $AF$, and $DMNF$ on the right, with the frame "
             "$DF$.",
         )
@@ -81,6 +82,10 @@ class Cognates(Design):
     def quantities(self) -> tuple[Named, ...]:
         """The lengths of both cognates."""
         return tuple(Named(letters, f"l_{{{letters}}}", "mm") for letters in (*LEFT, *RIGHT))
+
+    def told(self) -> tuple[Words, ...]:
+        """From where the coupler's point is counted."""
+        return (OF_COUPLER,)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The four-bar, its coupler point and its position."""

@@ -78,6 +78,27 @@ class Bench:
         )
         return magnitude(named.symbol, size, named.unit)
 
+    def laid(
+        self, named: Named, expr: Expr, ends: tuple[Points, Points], letters: str, acts: LineOfAction | None = None
+    ) -> None:
+        """Keep a vector that a line of the step worked out and that was then laid off: its size as it was worked out,
+        its direction by protractor."""
+        size, each = expr.value, expr.value * np.exp(1j * self.board.gauge(*ends))
+        self._keep(
+            Reading(
+                key=named.key,
+                symbol=named.symbol,
+                unit=named.unit,
+                scalar=float(nominal(size)),
+                vector=complex(nominal(each)),
+                line=letters,
+                formula=worked(name_of(named.symbol), expr, named.unit),
+                acts=acts,
+            ),
+            size,
+            each,
+        )
+
     def worked(self, named: Named, expr: Expr, sense: int = 1) -> Quantity:
         """Compute a quantity from others; written into the step as symbol = formula = numbers = result.
 

@@ -31,20 +31,26 @@ def note_lines(draft: Draft, data: Mapping[str, Value]) -> None:
     """The angle and the distance of the link's lines for 已知; once all points of the link are known."""
     for key, line in (("slot", draft.line), ("rod", draft.line), ("rack", draft.rack), ("face", draft.face)):
         given = data.get(key)
-        if line is None or not isinstance(given, dict):
+        if line is None or given is None:
             continue
         named = Words(f"构件 {draft.name} 的{_LINES[key].zh}", f"{_LINES[key].en} of link {draft.name}")
-        if told := _told(draft, key, line, {one: str(value) for one, value in given.items()}):
+        if not isinstance(given, dict):
+            if key == "rack":  # its body lies beside the pitch line, and so may its pins
+                draft.say(named + Words(f"过 ${line.through}$", f" passes through ${line.through}$"))
+        elif told := _told(draft, key, line, {one: str(value) for one, value in given.items()}):
             draft.say(named + told)
 
 
 def _told(draft: Draft, key: str, line: Line, given: Mapping[str, str]) -> Words | None:
-    """How it runs; None where it runs along a ray of its link through its letter, or is a face square to a guide."""
+    """How it runs; None where it runs along a ray of its link through its letter, and is no rack whose pins may lie
+    beside it, or is a face square to a guide."""
     letter, m = line.through, ANGLE_FROM.fullmatch(given.get("angle", ""))
     left, distance = _beside(given)
     turn = degrees(read(m[1], Dim.ANGLE).si) if m else 0.0
     if m is None or turn % _HALF == 0.0:
         ahead = m[2] if m else letter + _ahead(draft, letter, cmath.exp(1j * line.direction))
+        if key == "rack" and not distance and len(ahead) > 1 and ahead != "line":
+            return Words(f"与 ${ahead}$ 重合", f" coincides with ${ahead}$")
         return _parallel(letter, ahead, distance, _SIDES[left is (turn % 360 == 0.0)]) if distance else None
     on_guide, square = m[2] == "line", turn % _HALF == _RIGHT
     if square and on_guide and key == "face" and not distance:

@@ -3,7 +3,7 @@ self-locking as geometry."""
 
 from __future__ import annotations
 
-from ....algebra.quantity import Of, Quantity, magnitude
+from ....algebra.quantity import Expr, Of, Quantity, magnitude
 from ....board.construction import LineOfAction, View
 from ....board.said.sides import side_of
 from ....devices.eccentric_clamp import ETA, FORCE, IDEAL, PHI, R21, R31, EccentricClamp
@@ -28,14 +28,14 @@ def draw_eccentric_clamp(bench: Bench, device: EccentricClamp) -> None:
     board = bench.board
     clamp = sketch(bench, device)
     board.section(Words("夹紧行程", "Clamping"))
-    size = _contact(bench, device, clamp)
-    force = _closing(bench, device, clamp, size)
+    pressed = _contact(bench, device, clamp)
+    force = _closing(bench, device, clamp, pressed)
     ideal = _frictionless(bench, device, clamp)
     bench.worked(ETA, ideal / force)
     judge_released(bench, device, clamp)
 
 
-def _contact(bench: Bench, device: EccentricClamp, clamp: Clamp) -> float:
+def _contact(bench: Bench, device: EccentricClamp, clamp: Clamp) -> Expr:
     """φ, and R_21 = Q / cos φ: its normal part clamps (N)."""
     board, closing = bench.board, device.turn > 0
     turning, side = _SENSES[not closing], (Words("右", "right") if closing else Words("左", "left"))
@@ -50,16 +50,19 @@ def _contact(bench: Bench, device: EccentricClamp, clamp: Clamp) -> float:
     )
     phi = friction_angle(bench, PHI, device.f)
     clamp.phi = float(nominal(phi.value))
-    return float(nominal(board.compute("R_{21}", magnitude("Q", device.Q.si, "N") / Of("cos", phi), "N").value))
+    pressed = magnitude("Q", device.Q.si, "N") / Of("cos", phi)
+    board.compute(R21.symbol, pressed, "N")
+    return pressed
 
 
-def _closing(bench: Bench, device: EccentricClamp, clamp: Clamp, size: float) -> Quantity:
+def _closing(bench: Bench, device: EccentricClamp, clamp: Clamp, pressed: Expr) -> Quantity:
     """F + R_21 + R_31 = 0 with friction: F and R_31 measured."""
     board, turn = bench.board, device.turn
     apart = board.open_pane(View.BODY, "disc", APART)
     plan = board.open_pane(View.FORCE, "disc", Words("力多边形（夹紧）", "Force polygon, clamping"))
     board.step(_concurrent(turn), plan)
     up = leaned(1j, complex(turn), clamp.phi)
+    size = float(nominal(pressed.value))
     meet, u31, closed = balance_three(bench, plan, clamp, size, up, clamp.rho, -turn, (R21, FORCE, R31))
     touch = -1j * u31 * -turn * clamp.rho
     free_body(bench, apart, clamp, meet, up, u31, touch)
@@ -75,7 +78,7 @@ def _closing(bench: Bench, device: EccentricClamp, clamp: Clamp, size: float) ->
     )
     ends = closed.ends
     letter(bench, plan, {"a": ends[R21.key][0], "b": ends[R21.key][1], "c": ends[FORCE.key][1]})
-    bench.measured(R21, plan, *ends[R21.key], "a b", acts=acts[0], told=False)
+    bench.laid(R21, pressed, ends[R21.key], "a b", acts[0])
     force = bench.measured(FORCE, plan, *ends[FORCE.key], "b c")
     bench.measured(R31, plan, *ends[R31.key], "c a", acts=acts[1])
     return force

@@ -87,7 +87,7 @@ def _numbers(bench: Bench, engine: InlineEngine) -> tuple[Quantity, Quantity, Qu
 
 
 def _laid(engine: InlineEngine, times: int, product: Reals) -> list[Laid]:
-    """The products in firing order, at the angles of the cranks or at twice these."""
+    """The products in firing order, else by the cylinders' numbers, at the angles of the cranks or at twice these."""
     return [
         Laid(
             named=Named(f"W_{i + 1}", f"W_{{{i + 1}}}", "kg·m"),
@@ -101,13 +101,16 @@ def _laid(engine: InlineEngine, times: int, product: Reals) -> list[Laid]:
 def _forces(
     bench: Bench, engine: InlineEngine, order: str, times: int, product: Quantity, factor: tuple[Expr, ...]
 ) -> None:
-    """ΣW in firing order; F = ΣW ω², of the second order times λ."""
+    """ΣW in that order; F = ΣW ω², of the second order times λ."""
     board = bench.board
+    order_zh, order_en = (
+        ("按发火顺序", "In firing order") if engine.order else ("按缸号依次", "In the order of the cylinders")
+    )
     place = board.open_pane(PRODUCTS, order, Words(f"{_zh(times)}惯性力多边形", f"Forces, {_en(times)} order"))
     board.step(
         Words(
-            f"按发火顺序把各缸的 $W$（方向角 ${_angle(times)}$）首尾相接，自极点 $O$ 到末端即其和 $W_{{{order}}}$：",
-            f"In firing order lay the products $W$ (at ${_angle(times)}$) off head to tail; from the pole $O$ to the "
+            f"{order_zh}把各缸的 $W$（方向角 ${_angle(times)}$）首尾相接，自极点 $O$ 到末端即其和 $W_{{{order}}}$：",
+            f"{order_en} lay the products $W$ (at ${_angle(times)}$) off head to tail; from the pole $O$ to the "
             "last "
             f"tip is their sum $W_{{{order}}}$:",
         ),

@@ -88,7 +88,7 @@ def tangential(st: Statics, by: str, on: str, arm: tuple[str, str], turning: Tur
     outward = st.desk.towards(about, p)
     named = part_named(st.named(by, on), "t")
     if not turning.way:
-        st.board.remark(without_moment(f"${named.symbol}$"))
+        st.board.remark(without_moment(f"${named.symbol}$", turning))
         return 0j
     length = st.desk.length(p, about)
     st.board.compute(named.symbol, turning.size / length, "N")

@@ -126,8 +126,19 @@ def _of_couples(st: Statics, link: str) -> Iterator[tuple[Expr, Reals]]:
             yield magnitude(symbol, np.abs(value), "N·m"), np.sign(value)
 
 
-def without_moment(symbol: str) -> Words:
-    """After a colon: that the other forces have no moment about the point, so that this one is nothing."""
+def without_moment(symbol: str, turning: Turning) -> Words:
+    """After a colon: why the moments about the point come to nothing, so that this force is nothing: the other forces
+    pass through the point, so nearly that no arm can be read, or turn against each other."""
+    if any(nominal(term.value) for term in turning.terms):
+        return Words(
+            f"其余各力对该点之矩互相抵消，故 {symbol} = 0。",
+            f" the moments of the other forces about it cancel, so {symbol} = 0.",
+        )
+    if turning.terms:
+        return Words(
+            f"其余各力的作用线在图上过该点，量不出力臂，故取 {symbol} = 0。",
+            f" on paper the other forces pass through it, too near for an arm to be read, so {symbol} = 0 is taken.",
+        )
     return Words(
         f"其余各力对该点之矩为零，故 {symbol} = 0。", f" the other forces have no moment about it, so {symbol} = 0."
     )

@@ -31,7 +31,8 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
         return
     letter = meeting_letter(st, lines_meet(load.line, line), line.at)
     st.board.step(_taken(st, held, load, line, by, letter), View.MECHANISM)
-    draw_resultant(st, link, load)
+    if not (pin := _pin(st, held, load, line)):  # what passes through a pin is not joined first
+        draw_resultant(st, link, load)
     x = st.board.meet(
         load.line,
         line,
@@ -41,7 +42,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
         ),
     )
     u, sense = direction_through(st, held.joint, held.parent, link, x)
-    lettered = letter if not _pin(st, held, load, line) else ""
+    lettered = "" if pin else letter
     draw_meeting(
         st,
         x,
@@ -49,7 +50,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
         (u, st.at_joint(held.joint, Line(x, u))),
         (lettered, st.named(held.parent, link)),
     )
-    polygon(st, held, load, (by, line.along, line.at), (u, x, sense), _pin(st, held, load, line) or letter)
+    polygon(st, held, load, (by, line.along, line.at), (u, x, sense), pin or letter)
 
 
 def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter: str) -> Words:

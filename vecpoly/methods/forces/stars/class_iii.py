@@ -102,7 +102,7 @@ def _along_axis(
     letter, place = about
     named = _sought(st, leg)
     if not turning.way:
-        known = without_moment(f"${named.symbol}$")
+        known = without_moment(f"${named.symbol}$", turning)
         st.board.remark(Words(known.zh, f" Here{known.en}"))
         return 0j
     end = foot(leg.line, place)

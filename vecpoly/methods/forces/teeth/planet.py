@@ -78,7 +78,7 @@ def _teeth(st: Statics, one: Carried, across: Reaction, pair: tuple[Mesh, Mesh])
     st.board.step((_told_again if before else _told)(st, one, pair), group_pane(st, *one.links))
     turning = _known(st, one, across, other.teeth.point, k)
     if not turning.way:
-        st.board.remark(without_moment(f"${named.symbol}$"))
+        st.board.remark(without_moment(f"${named.symbol}$", turning))
         st.settle(mesh.by, one.planet, 0j, h)
         return
     along = st.board.turn(_pressing(st, mesh, h, -turning.way * 1j * unit(h - k)))

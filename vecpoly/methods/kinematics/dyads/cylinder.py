@@ -16,6 +16,7 @@ from ....board.paper.marks import Role
 from ....mechanism.model import FRAME, Prismatic, Revolute
 from ....mechanism.rams import Ram
 from ....names import At, Kind, Rel
+from ....plane import nominal
 from ....vector.close import Closed, Ends
 from ....vector.equation import Equation, Term
 from ....words import Words
@@ -181,14 +182,19 @@ def _parallel(desk: Desk, ram: Ram) -> Words:
     return guide_name(desk, ram.pair)
 
 
-def _shifted(corner: str, tip: str, *, together: bool) -> Words:
-    """What a parallelogram is drawn for; together: the two given vectors, of which then only the sum is ruled."""
+def _shifted(corner: str, tip: str, *, laid: int, together: bool) -> Words:
+    """What a parallelogram is drawn for. laid: so many given vectors; together: a line is ruled for their sum."""
     told = Words(
         f"将所给矢量平移，使其终点与 ${tip}$ 重合，其起点即 ${corner}$（平行四边形法则，两矢量的次序可交换）",
-        f" The given vectors are shifted so that they end at ${tip}$; their start is then ${corner}$ (law of the "
-        "parallelogram: the two vectors may be added in either order)",
+        f" The given vector{' is' if laid == 1 else 's are'} shifted so that {'it ends' if laid == 1 else 'they end'} "
+        f"at ${tip}$; {'its' if laid == 1 else 'their'} start is then ${corner}$ (law of the parallelogram: the two "
+        "vectors may be added in either order)",
     )
-    whole = Words(f"，细线 ${corner}{tip}$ 为两者之和", f"; the thin line ${corner}{tip}$ is the sum of both")
+    whole = (
+        Words(f"，即细线 ${corner}{tip}$", f"; it is then the thin line ${corner}{tip}$")
+        if laid == 1
+        else Words(f"，细线 ${corner}{tip}$ 为两者之和", f"; the thin line ${corner}{tip}$ is the sum of both")
+    )
     return told + (whole if together else Words.same("")) + Words("。", ".")
 
 
@@ -198,7 +204,8 @@ def _parallelogram(desk: Desk, view: View, ram: Ram, turning: Term, along: tuple
     start, end = closed.ends[along[0].rel.key][0], closed.ends[along[-1].rel.key][1]
     foot, corner = start, desk.put_tip(view, under, closed.meeting - (end - start))
     tips = desk.tip_label(view, under), desk.tip_label(view, At(ram.inner.point))
-    board.remark(_shifted(*tips, together=len(along) > 1))
+    laid = sum(one.mm is not None and bool(nominal(one.mm)) for one in along)
+    board.remark(_shifted(*tips, laid=laid, together=len(along) > 1))
     board.plot(view, corner, desk.tip_label(view, under))
     board.arrow(view, foot, corner, Role.RESULT, key=turning.key)
     moved: Ends = {turning.rel.key: (foot, corner)}

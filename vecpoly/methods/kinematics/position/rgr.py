@@ -17,6 +17,8 @@ from ...registry import Stage, method
 from ..gears.pitch import letter_pitch_points
 from .standing import said_standing, standing
 
+_ON_LINE = 1e-9  # m
+
 
 @method(
     stage=Stage.POSITION,
@@ -41,11 +43,12 @@ def position_rgr(desk: Desk, d: Dyad) -> None:
                 "method on file locates them; 'vecpoly exact' gives the analytic answers",
             )
         )
-    desk.board.step(_words(rack.link, gear, c, p, joint.point), View.MECHANISM)
+    desk.board.step(
+        _words(rack.link, gear, c, p, joint.point, on_line=abs(_beside(desk, rack, p)) < _ON_LINE), View.MECHANISM
+    )
     desk.settle_turned(gear, q, standing(desk, gear))
     desk.board.remark(said_standing(desk, gear))
-    beside = float((np.exp(-1j * rack.direction) * (desk.mech.link(rack.link).points[p] - rack.origin)).imag)
-    left = desk.mm((1 if joint.side is Side.LEFT else -1) * joint.gear.radius - beside)
+    left = desk.mm((1 if joint.side is Side.LEFT else -1) * joint.gear.radius - _beside(desk, rack, p))
     span = distance(desk.at[p], desk.at[c])
     if float(nominal(span)) <= abs(left) + 1e-9:
         raise AssemblyError(
@@ -63,11 +66,18 @@ def position_rgr(desk: Desk, d: Dyad) -> None:
     desk.board.join(View.MECHANISM, desk.at[c], desk.at[joint.point], Role.CONSTRUCTION)
 
 
-def _words(rack: str, gear: str, c: str, p: str, h: str) -> Words:
+def _beside(desk: Desk, rack: Rack, p: str) -> float:
+    """How far the hinge lies to the left of the pitch line (m)."""
+    return float((np.exp(-1j * rack.direction) * (desk.mech.link(rack.link).points[p] - rack.origin)).imag)
+
+
+def _words(rack: str, gear: str, c: str, p: str, h: str, *, on_line: bool) -> Words:
+    through = Words(f"过 ${p}$ ", f"through ${p}$")
+    if not on_line:
+        through = Words(f"按 ${p}$ 到节线的距离", f"at the distance of ${p}$ from it,")
     return Words(
-        f"以 ${c}$ 为圆心作齿轮 {gear} 的节圆；过 ${p}$ 按其到节线的距离作齿条 {rack} 的节线与节圆相切，"
-        f"切点为啮合点 ${h}$。",
-        f"About ${c}$ draw the pitch circle of gear {gear}; from ${p}$, at its distance from the "
-        f"pitch line, draw the pitch line of rack {rack} tangent to it: it touches at the pitch "
+        f"以 ${c}$ 为圆心作齿轮 {gear} 的节圆；{through.zh}作齿条 {rack} 的节线与节圆相切，切点为啮合点 ${h}$。",
+        f"About ${c}$ draw the pitch circle of gear {gear}; {through.en} draw the "
+        f"pitch line of rack {rack} tangent to it: it touches at the pitch "
         f"point ${h}$.",
     )

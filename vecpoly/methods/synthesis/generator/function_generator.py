@@ -88,20 +88,27 @@ def _laid_out(draft: Draft, design: FunctionGenerator, pairs: tuple[Pair, ...]) 
         name: tuple(_ray(draft, name, centre, pair[which], REACH * frame, n) for n, pair in enumerate(pairs, 1))
         for name, centre, which in (("AM", a, 0), ("DN", d, 1))
     }
-    _angles_marked(draft, (a, d), bodies, frame)
+    _angles_marked(draft, (a, d), bodies, frame, pairs)
     pins = {letter: (at,) * 3 for letter, at in (("A", a), ("D", d))}
     return Sheet(draft=draft, plan=_plan(design, pairs), pins=FrozenMap(pins), bodies=FrozenMap(bodies))
 
 
 def _angles_marked(
-    draft: Draft, ends: tuple[Points, Points], bodies: Mapping[str, tuple[Stands, ...]], frame: Reals
+    draft: Draft,
+    ends: tuple[Points, Points],
+    bodies: Mapping[str, tuple[Stands, ...]],
+    frame: Reals,
+    pairs: tuple[Pair, ...],
 ) -> None:
-    """φ and ψ of each position, from the line AD."""
+    """φ and ψ of each position, from the line AD, as they are given: 274° is no 86° the other way."""
     axes = ends[1], ends[1] + REACH * frame
     draft.board.join(SHEET, ends[0], axes[1], Role.CENTRE)
-    for symbol, key, at, axis, body in zip("φψ", ("phi", "psi"), ends, axes, ("AM", "DN"), strict=True):
+    names = ("φ", "phi"), ("ψ", "psi")
+    for which, (at, axis, body) in enumerate(zip(ends, axes, ("AM", "DN"), strict=True)):
+        symbol, key = names[which]
         for n, stands in enumerate(bodies[body]):
-            marked(draft, at, (axis, stands.end), f"{symbol}_{n + 1}", key=f"{key}_{n + 1}", nth=n)
+            rays, told = (axis, stands.end), f"{symbol}_{n + 1}"
+            marked(draft, at, rays, told, key=f"{key}_{n + 1}", nth=n, turn=pairs[n][which])
 
 
 def _ray(draft: Draft, name: str, centre: Points, angle: Reals, reach: float, n: int) -> Stands:
