@@ -43,7 +43,7 @@ def balanced(mech: Mechanism, loads: Loads, position: ArrayLike | None, *, stric
         skip = judge.lost.copy()
         judge.senseless(system, rates, moving)
         dry, wet, reached = solved(system, skip)
-        judge.unsolved(dry)
+        judge.unsolved(system, dry)
         judge.locked(system, (dry, wet), reached, loads.helps, rates)
         judge.parting(system, wet)
     return Equilibrium(mech, loads, motion, rates, system, dry, wet.without(judge.lost), judge.causes, stands)
