@@ -126,8 +126,21 @@ def drive_column(mech: Mechanism) -> Column:
         which, words = drive.link, Words(f"原动件 {drive.link} ", f"the driving link {drive.link}")
         travel, angle = Words("的位移", "travel of "), Words("的转角", "angle of ")
     (stem, letter, unit), what = (("s", "s", "m"), travel) if drive.slide else (("phi", "φ", "rad"), angle)
-    told = Words(words.zh + what.zh, what.en + words.en)
-    return Column(key=f"{stem}_{which}", symbol=f"{letter}_{{{which}}}", unit=unit, words=told)
+    told = Words(words.zh + what.zh, what.en + words.en) + counted_from(mech)
+    return Column(key=f"{stem}_{which}", symbol=f"{letter}_{{{which}}}", unit=unit, words=told, zero=drive.lead)
+
+
+def counted_from(mech: Mechanism) -> Words:
+    """From where the drive's angle counts, and to which ray, where it is told so."""
+    drive = mech.drive
+    if drive.ray is None:
+        return Words.same("")
+    line = Words.same(f"${drive.ray.line}$") if drive.ray.line else Words("$x$ 轴", "the $x$ axis")
+    pivot = next((letter for letter in mech.link(drive.link).points if letter in mech.frame), "")
+    if not drive.ray.to or not pivot:
+        return Words(f"（由 {line.zh} 量起）", f" (from {line.en})")
+    ray = f"${pivot}{drive.ray.to}$"
+    return Words(f"（由 {line.zh} 至 {ray}）", f" (from {line.en} to {ray})")
 
 
 def _part(whole: Column, part: str) -> Column:

@@ -51,7 +51,13 @@ class Study:
     @cached_property
     def mech(self) -> Mechanism:
         """The mechanism, its links told from their fixed pivots."""
-        return from_pivots(self.problem.mechanism)
+        return self._counted(from_pivots(self.problem.mechanism))
+
+    def _counted(self, mech: Mechanism) -> Mechanism:
+        """Its drive told by the angle of its x axis, which stands in the equations, however the problem tells it."""
+        if not mech.drives or mech.drive.ray is None:
+            return mech
+        return replace(mech, drives=(replace(mech.drive, ray=None), *mech.drives[1:]))
 
     @property
     def drawn(self) -> bool:
@@ -99,12 +105,14 @@ class Study:
     def _grid(self, step: float) -> NDArray[np.float64]:
         low, high = self.whole.low, self.whole.high
         edge = 1e-3 * (high - low)
-        return step * np.arange(np.ceil((low + edge) / step), np.floor((high - edge) / step) + 1)
+        zero = self.mech.drive.lead
+        first, last = np.ceil((low - zero + edge) / step), np.floor((high - zero - edge) / step)
+        return zero + step * np.arange(first, last + 1)
 
     @cached_property
     def rows(self) -> NDArray[np.intp]:
         """Indices of the table's rows."""
-        turns = self.turn.phi / self.step
+        turns = (self.turn.phi - self.mech.drive.lead) / self.step
         return np.flatnonzero(np.abs(turns - np.round(turns)) < 1e-6)
 
     @cached_property
@@ -234,8 +242,8 @@ class Study:
 
     def reduced(self, phi: float) -> float:
         """The position within 0 … 360° where the drive turns right round, 0 … 720° where a period takes two turns."""
-        turn = self.whole.period
-        return float(phi - turn * np.floor(phi / turn + 1e-9)) if self.whole.whole else phi
+        turn, zero = self.whole.period, self.mech.drive.lead
+        return float(phi - turn * np.floor((phi - zero) / turn + 1e-9)) if self.whole.whole else phi
 
 
 def study(solution: Solution) -> Study:
