@@ -47,7 +47,7 @@ def print_turn(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang)
 
 def _zero(turn: Cycle) -> Iterator[Words]:
     """From where the drive's angle counts, where the problem tells it otherwise than from the x axis."""
-    from ..cycle.columns import counted_from
+    from ..cycle.counted import counted_from
 
     told = counted_from(turn.mech)
     if told.zh:

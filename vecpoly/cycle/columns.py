@@ -25,6 +25,7 @@ from ..names import Kind, Named, Rel, parse_rel, subscripted
 from ..problem.text.spelling import did_you_mean
 from ..words import Words
 from .column import Column, of_loads, of_reduced, part_words
+from .counted import counted_from
 from .shaking import SHAKING
 
 PARTS = ("x", "y", "abs", "arg")
@@ -128,19 +129,6 @@ def drive_column(mech: Mechanism) -> Column:
     (stem, letter, unit), what = (("s", "s", "m"), travel) if drive.slide else (("phi", "φ", "rad"), angle)
     told = Words(words.zh + what.zh, what.en + words.en) + counted_from(mech)
     return Column(key=f"{stem}_{which}", symbol=f"{letter}_{{{which}}}", unit=unit, words=told, zero=drive.lead)
-
-
-def counted_from(mech: Mechanism) -> Words:
-    """From where the drive's angle counts, and to which ray, where it is told so."""
-    drive = mech.drive
-    if drive.ray is None:
-        return Words.same("")
-    line = Words.same(f"${drive.ray.line}$") if drive.ray.line else Words("$x$ 轴", "the $x$ axis")
-    pivot = next((letter for letter in mech.link(drive.link).points if letter in mech.frame), "")
-    if not drive.ray.to or not pivot:
-        return Words(f"（由 {line.zh} 量起）", f" (from {line.en})")
-    ray = f"${pivot}{drive.ray.to}$"
-    return Words(f"（由 {line.zh} 至 {ray}）", f" (from {line.en} to {ray})")
 
 
 def _part(whole: Column, part: str) -> Column:
