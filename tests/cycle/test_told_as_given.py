@@ -81,9 +81,12 @@ def test_the_drive_stands_where_a_refusal_says_that_it_stands(bar: str, lean: fl
 def test_the_limits_of_the_rocker_are_told_so_as_drawn_and_in_truth(bar: str, lean: float) -> None:
     found, plain = (
         vecpoly.solve(
-            crank(*way, "phi_C_extended, phi_C_overlapped", "method: centres"), by="exact", repeats=0, precise=False
+            crank(letters, at, "phi_C_extended, phi_C_overlapped", "method: centres"),
+            by="exact",
+            repeats=0,
+            precise=False,
         ).answers
-        for way in ((bar, lean), PLAIN)
+        for letters, at in ((bar, lean), PLAIN)
     )
     for key, one in found.items():
         assert one.exact == pytest.approx(plain[key].exact, abs=1e-6)
