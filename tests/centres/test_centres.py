@@ -517,7 +517,7 @@ find: [centres, omega_2]
     ("find", "told"),
     [
         ("[P_17]", "'P_17' names no instant centre"),
-        ("[P_31]", "did you mean"),
+        ("[P_18]", "did you mean"),
         ("[v_P13]", "needs the angular velocity as a number"),
         ("[{point: E2, on: 2, slowest: BD}]", "names no line through two points of link 2 (B, C)"),
         ("[{point: E2, on: 2, slowest: BC, velocity: 0}]", "give either the velocity or the acceleration"),
@@ -527,6 +527,12 @@ find: [centres, omega_2]
 def test_what_cannot_be_asked_is_refused_with_a_remedy(find: str, told: str) -> None:
     with pytest.raises(ProblemFileError, match=told.replace("(", r"\(").replace(")", r"\)")):
         changed("D-1", find=find, input="{omega: ccw}" if "v_P13" in find else "{}")
+
+
+@pytest.mark.parametrize("written", ["P_31", "P31", "P_{13}", "P₁₃", "P_{31}"])
+def test_a_centre_is_that_of_two_links_in_either_order(written: str) -> None:
+    (ask,) = changed("D-1", find=f'["{written}"]', input="{}").asks
+    assert ask.rel.key == "P_13"
 
 
 def test_a_slider_has_no_ratio_and_a_centre_at_infinity_no_velocity() -> None:

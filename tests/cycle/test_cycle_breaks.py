@@ -228,13 +228,13 @@ def test_a_step_makes_its_whole_multiples_and_a_dash_is_standard_output(run: Run
     assert [float(row[0]) for row in rows[2:]] == pytest.approx(list(range(0, 360, 7)), abs=1e-12)
 
 
-def test_an_angle_that_the_problem_counts_from_a_line_is_told_as_it_counts_here(run: Run) -> None:
+def test_an_angle_that_the_problem_counts_from_a_line_is_told_to_count_so_here(run: Run) -> None:
     Path("turned.yaml").write_text(
         "extends: C-conveyor\nid: turned\ntitle: {zh: 转, en: turned}\nframe: {A: [0 mm, 0 mm], D: [0 mm, 380 "
         "mm]}\nprinted: null\nerrata: null\n",
         "utf-8",
     )
-    assert "is 217.35° here" in run("cycle", "turned.yaml").stdout
+    assert "φ_1 counts as the problem tells it (from AD to AB)" in run("cycle", "turned.yaml").stdout
     assert "counts" not in run("cycle", "C-conveyor").stdout.lower()
 
 

@@ -79,7 +79,7 @@ def moved(problem: Problem, by: float) -> Problem:
 
 def slider(problem: Problem) -> float:
     drive = problem.mechanism.drive
-    return 1e3 * drive.position if drive.slide else degrees(drive.position)
+    return 1e3 * drive.position if drive.slide else degrees(drive.position - drive.lead)
 
 
 def letters(solution: Solution) -> dict[str, tuple[View, complex]]:

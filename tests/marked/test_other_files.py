@@ -25,7 +25,15 @@ def test_a_roster_or_another_assignments_answers_are_refused(tmp_path: Path, tex
     (tmp_path / "a.csv").write_text(text, encoding="utf-8")
     with pytest.raises(TableError, match="no column holds answers to this class") as raised:
         graded(tmp_path / "out", tmp_path / "a.csv")
-    assert raised.value.code == "no-answers" and not (tmp_path / "out").exists()
+    assert raised.value.code == "no-answers" and "3-9:v_E" in str(raised.value) and not (tmp_path / "out").exists()
+
+
+def test_heads_without_the_problem_do_where_it_is_one_and_with_it_may_name_a_unit(tmp_path: Path) -> None:
+    one = {key: value for key, value in two_problems().items() if key == "3-9"}
+    for keys, column in ((one, "v_E (mm/s)"), (one, "3-9:v_E (mm/s)"), (two_problems(), "3-9:v_E (mm/s)")):
+        (tmp_path / "a.csv").write_text(f"学号,{column}\n{NUMBERS[0]},173\n", encoding="utf-8")
+        found = read_answers(tmp_path / "a.csv", keys, {NUMBERS[0]: keys}.__getitem__, {})
+        assert not found.faults and "173" in repr(found)
 
 
 def test_a_form_that_nobody_filled_in_is_answers_all_the_same(tmp_path: Path) -> None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from tests.drawn_library import IDS
+from tests.each import each
 from vecpoly import load, solve
 from vecpoly.answer import Answer
 from vecpoly.errors import AssemblyError, FaultError, ProblemFileError
+from vecpoly.names import Kind, Rel
 from vecpoly.problem.asked.hints import nothing_asked
 from vecpoly.problem.load import loads
-from vecpoly.problem.text.spelling import intended
+from vecpoly.problem.text.spelling import intended, plain
 from vecpoly.units.reading import Dim, read
 
 FOUR_BAR = """id: 四杆-1
@@ -61,9 +64,38 @@ def faults(old: str, new: str) -> str:
 
 
 def test_every_misspelt_symbol_is_told_with_what_is_meant() -> None:
-    text = faults("[v_C]", "[ω3, vC, v_E, omega_7]")
+    text = faults("[v_C]", "[w3, v_c, v_E, omega_7]")
     assert text.count("\n") == 3 and "did you mean 'omega_3'" in text and "did you mean 'v_C'" in text
     assert "point 'E' does not exist" in text and "link '7' does not exist; known: 1, 2, 3" in text
+
+
+@pytest.mark.parametrize(
+    ("written", "key"),
+    [
+        ("ω3", "omega_3"),
+        ("ω₃", "omega_3"),
+        ("$ω_3$", "omega_3"),
+        ("ε2", "alpha_2"),
+        ("a_{C}", "a_C"),
+        ("vC", "v_C"),
+        ("v_C/B", "v_CB"),
+        ("a^n_{CB}", "an_CB"),
+        ("R₁₂", "R_12"),
+        ("R_{12}", "R_12"),
+        ("M_{1}", "M_1"),
+    ],
+)
+def test_a_symbol_with_the_letters_and_figures_of_one_key_is_that_key(written: str, key: str) -> None:
+    loaded = FOUR_BAR + 'loads: {F_3: {on: 3, at: C, size: 9 N, direction: 0 deg}, M_1: {on: 1, size: "?"}}\n'
+    (ask,) = loads(loaded.replace("[v_C]", f'["{written}"]')).asks
+    assert ask.rel.key == key
+
+
+@each(IDS)
+def test_every_symbol_of_motion_may_be_asked_for_as_it_is_printed(name: str) -> None:
+    for ask in load(name).asks:
+        if isinstance(ask.rel, Rel) and ask.rel.kind is not Kind.P:  # r_E is printed, p_E is asked
+            assert plain(ask.rel.symbol) == plain(ask.rel.key) == ask.rel.key
 
 
 @pytest.mark.parametrize(

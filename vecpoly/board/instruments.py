@@ -35,7 +35,7 @@ from .otherwise.amended import AS_DRAWN, Amended, plain_letters
 from .otherwise.slip import FOUND_AMISS, Mistake, Slip
 from .otherwise.wrongly import FACTOR, as_taken, before
 from .place import Place, View
-from .said.apart import arcs_apart, line_apart
+from .said.apart import arcs_apart, line_apart, no_tangent
 from .strokes import NO_LENGTH, Strokes, amount, spot
 
 PARALLEL = 1e-9  # sine below which two ruled lines do not meet
@@ -156,15 +156,7 @@ class Instruments(Strokes):
         """
         away, size = float(nominal(np.abs(x - centre))), float(nominal(radius))
         if away <= max(size * abs(moment), NO_LENGTH):
-            raise EquilibriumError(
-                Words(
-                    f"作用线须过距摩擦圆圆心 {away:.2f} mm 的一点，而摩擦圆半径为 {size:.2f} mm，该点在圆内，"
-                    "无切线，在此摩擦下不能平衡；请减小 f 或 ρ",
-                    f"a line of action must pass through a point {away:.2f} mm from the centre of a friction "
-                    f"circle of radius {size:.2f} mm, inside it: no tangent, there is no equilibrium with this "
-                    "friction; lower f or ρ",
-                )
-            )
+            raise no_tangent(away, size)
         ahead, behind = inclined(x - centre, moment * self._side(key) * radius / np.abs(x - centre))
         taken = self.hand.tilt(ahead if nominal(dot(ahead - behind, towards)) > 0 else behind)
         return self._touching(taken, key, not size, x, centre, radius, towards)

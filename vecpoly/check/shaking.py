@@ -33,13 +33,14 @@ def shaking_of(problem: Problem, drawn: Mapping[str, float]) -> Words | None:
 
     without, exact = shaking(mech, asked), shaking(mech, asked, counterweights(mech, asked))
     most, where = without.largest
+    at = f"{degrees(where - mech.drive.lead):.4g}°"
     x, y = (_shown(1e3 * part, 1e3 * mech.scale, 4) for part in _parts(complex(exact.centre.mean())))
     told = Words(
         f"校核（{_over(len(without.at)).zh}）：不加配重时机架所受惯性力最大 {most:.4g} N"
-        f"（原动件位于 {degrees(where):.4g}°）；按精确的配重，总质心静止于 ({x}, {y}) mm，"
+        f"（原动件位于 {at}）；按精确的配重，总质心静止于 ({x}, {y}) mm，"
         f"惯性力为零",
         f"Check ({_over(len(without.at)).en}): without counterweights the shaking force on the frame is {most:.4g} N "
-        f"at most (drive at {degrees(where):.4g}°); with exact ones the common centre of mass rests at "
+        f"at most (drive at {at}); with exact ones the common centre of mass rests at "
         f"({x}, {y}) mm and the force is zero",
     )
     hung = _hung(mech, asked, drawn)

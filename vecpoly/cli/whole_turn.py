@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees, isfinite, pi
+from math import isfinite, pi
 from typing import TYPE_CHECKING
 
 import typer
@@ -29,7 +29,7 @@ def print_turn(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang)
     from ..cycle import Shape, facts, force_sentences, path, path_sentences, sentences
 
     typer.echo(f"{problem.id}  {bare(problem.title.of(lang))}\n")
-    for words in _zero(turn, problem):
+    for words in _zero(turn):
         typer.echo(f"  {_plain(words.of(lang))}")
     for words in (*sentences(turn, facts(turn)), *force_sentences(turn)):
         typer.echo(f"  {_plain(words.of(lang))}")
@@ -45,20 +45,16 @@ def print_turn(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang)
             typer.echo("  " + ("" if lang == "zh" else " ").join(told))
 
 
-def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
-    """That the drive's angle counts from the x axis, where the problem counts it from elsewhere,
-    or to another point of the link."""
+def _zero(turn: Cycle) -> Iterator[Words]:
+    """From where the drive's angle counts, where the problem tells it otherwise than from the x axis."""
+    from ..cycle.counted import counted_from
 
-    drive, symbol = turn.mech.drive, turn.drive.symbol
-    given = next((datum for datum in problem.given.motion if datum.symbol == f"φ_{drive.link}"), None)
-    if given is None or drive.slide:
-        return
-    lead = degrees(drive.position - given.si)
-    if abs(lead - 360 * round(lead / 360)) > 1e-9:
-        here = f"{number(degrees(drive.position), 6)}°"
+    told = counted_from(turn.mech)
+    if told.zh:
+        symbol = turn.drive.symbol
         yield Words(
-            f"各角由 $x$ 轴量起：题目所给的 ${symbol}$ = {given.text} 在此为 {here}。",
-            f"Angles count from the $x$ axis: the position given as ${symbol}$ = {given.text} is {here} here.",
+            f"${symbol}$ 按题目量取{told.zh}；其余各角由 $x$ 轴量起。",
+            f"${symbol}$ counts as the problem tells it{told.en}, all other angles from the $x$ axis.",
         )
 
 
@@ -73,7 +69,7 @@ def _row(turn: Cycle, key: str) -> tuple[str, ...]:
     zero = info.factor * NOTHING * Curve.of(turn, key).size
     cells: list[str] = []
     for spot in (acute.greatest, acute.least) if acute else (found.highest, found.lowest):
-        cells += ["—", "—"] if spot is None else [_value(info.factor * spot.value, zero), _place(turn, spot, found)]
+        cells += ["—", "—"] if spot is None else [_value(info.told(spot.value), zero), _place(turn, spot, found)]
     size = f"|{bare(info.symbol)}|" if info.is_vector else bare(info.symbol)
     return size, written_unit(info.shown_unit), *cells
 
@@ -88,8 +84,8 @@ def _place(turn: Cycle, spot: Spot, found: Extremes) -> str:
     drive, whole = turn.drive, pi if turn.drive.unit == "rad" else turn.mech.scale
     unit = written_unit("deg" if drive.unit == "rad" else " mm")
     if (stretch := stood(turn, found, spot)) is not None:
-        return " … ".join(number(drive.factor * phi, 6) + unit for phi in stretch)
-    return number(drive.factor * spot.phi, 7, drive.factor * NOTHING * whole) + unit
+        return " … ".join(number(drive.told(phi), 6) + unit for phi in stretch)
+    return number(drive.told(spot.phi), 7, drive.factor * NOTHING * whole) + unit
 
 
 def _value(value: float, zero: float) -> str:

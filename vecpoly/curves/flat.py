@@ -72,4 +72,4 @@ def mark_stations(cycle: Cycle, at: Any, placer: Placer, key: str, factor: float
 
 def told_station(cycle: Cycle, phi: float) -> str:
     """A position of the drive, to a tenth."""
-    return style.number(round(cycle.drive.factor * phi, 1)) + ("°" if cycle.drive.unit == "rad" else "")
+    return style.number(round(cycle.drive.told(phi), 1)) + ("°" if cycle.drive.unit == "rad" else "")

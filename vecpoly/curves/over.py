@@ -114,7 +114,7 @@ def _grouped(cycle: Cycle, keys: tuple[str, ...]) -> list[list[Column]]:
 
 
 def _values(cycle: Cycle, column: Column) -> Any:
-    values = column.factor * cycle.real(column.key)
+    values = column.told(cycle.real(column.key))
     return np.minimum(values, 180.0 - values) if column.key.startswith("gamma_") else values  # the acute angle counts
 
 
@@ -147,7 +147,7 @@ def _panel(
     cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float], marks: bool, pens: Pens, known: Known | None
 ) -> None:
     drive = cycle.drive
-    phi = drive.factor * cycle.phi
+    phi = drive.told(cycle.phi)
     at.set_xlim(phi[0], phi[-1])
     at.set_ylim(*limit)
     if drive.unit == "rad":

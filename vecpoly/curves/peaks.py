@@ -72,7 +72,7 @@ def lowest(spots: Sequence[Spot]) -> list[Spot]:
 def exact(spots: Sequence[Spot], known: Extremes, drive: Column, column: Column, step: float) -> Sequence[Spot]:
     """Those of the sampled spots that are the column's extremes, to full accuracy; else all. step: between samples."""
     tops = [top for end in (known.highest, known.lowest) if end is not None for top in _alike(known, end)]
-    true = [(drive.factor * top.phi, column.factor * top.value) for top in tops]
+    true = [(drive.told(top.phi), column.told(top.value)) for top in tops]
     room = _NEAR * (max((value for _, value in true), default=0.0) - min((value for _, value in true), default=0.0))
     found = [top for top in true if any(abs(x - top[0]) <= 2 * step and abs(y - top[1]) <= room for x, y in spots)]
     size = max((abs(value) for _, value in (*true, *spots)), default=0.0)

@@ -59,7 +59,7 @@ def _quarters(cycle: Cycle) -> NDArray[np.float64]:
     """The drive's positions that are drawn."""
     if cycle.mech.drive.slide or not cycle.whole:
         return np.linspace(cycle.low, cycle.high, COUNT + 2)[1:-1]
-    return np.linspace(0.0, 2 * np.pi, COUNT, endpoint=False)
+    return np.linspace(0.0, 2 * np.pi, COUNT, endpoint=False) + cycle.drive.zero
 
 
 def _turned(cycle: Cycle) -> str:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any, TypeVar
 
 from ..names import Named, subscripted
 from ..words import Words
 
+Place = TypeVar("Place", float, Any)  # one, or an array of them
 _SHOWN = {"rad": ("°", 57.29577951308232), "m": ("mm", 1000.0)}
 
 
@@ -22,6 +24,7 @@ class Column:
     is_vector: bool = False
     rate: str = ""
     turns: bool = False  # an angle that is followed without jumps
+    zero: float = 0.0  # of the drive: its position (SI) where what is told of it is 0
 
     @property
     def shown_unit(self) -> str:
@@ -32,6 +35,10 @@ class Column:
     def factor(self) -> float:
         """Shown value / SI value."""
         return _SHOWN.get(self.unit, (self.unit, 1.0))[1]
+
+    def told(self, value: Place) -> Place:
+        """What is shown of a value, or of values, in SI units."""
+        return self.factor * (value - self.zero)
 
     @property
     def parts(self) -> tuple[str, ...]:

@@ -25,6 +25,7 @@ from ..names import Kind, Named, Rel, parse_rel, subscripted
 from ..problem.text.spelling import did_you_mean
 from ..words import Words
 from .column import Column, of_loads, of_reduced, part_words
+from .counted import counted_from
 from .shaking import SHAKING
 
 PARTS = ("x", "y", "abs", "arg")
@@ -126,8 +127,8 @@ def drive_column(mech: Mechanism) -> Column:
         which, words = drive.link, Words(f"原动件 {drive.link} ", f"the driving link {drive.link}")
         travel, angle = Words("的位移", "travel of "), Words("的转角", "angle of ")
     (stem, letter, unit), what = (("s", "s", "m"), travel) if drive.slide else (("phi", "φ", "rad"), angle)
-    told = Words(words.zh + what.zh, what.en + words.en)
-    return Column(key=f"{stem}_{which}", symbol=f"{letter}_{{{which}}}", unit=unit, words=told)
+    told = Words(words.zh + what.zh, what.en + words.en) + counted_from(mech)
+    return Column(key=f"{stem}_{which}", symbol=f"{letter}_{{{which}}}", unit=unit, words=told, zero=drive.lead)
 
 
 def _part(whole: Column, part: str) -> Column:

@@ -41,7 +41,7 @@ def table(cycle: Cycle, keys: tuple[str, ...] = (), rows: NDArray[np.intp] | Non
     index = np.arange(len(cycle.phi)) if rows is None else rows
     values = np.empty((len(index), len(columns)))
     for i, column in enumerate(columns):
-        values[:, i] = column.factor * _real(cycle, column.key)[index]
+        values[:, i] = column.told(_real(cycle, column.key)[index])
     return Table(tuple(columns), values)
 
 

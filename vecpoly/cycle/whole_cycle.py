@@ -42,6 +42,8 @@ def cycle(
             Words(f"{n} 个位置不成一周；至少取 2 个", f"{n} positions make no cycle; ask for at least 2")
         )
     low, high, whole = range_of(mech)
+    if whole:  # it begins where what the problem tells of the drive is 0
+        low, high = low + mech.drive.lead, high + mech.drive.lead
     acting = own if loads is None else loads
     known = acting or unbalanced
     turns = known.turns if whole and known is not None else 1

@@ -80,7 +80,7 @@ def repeated_strokes(study: Study) -> Iterator[Words]:
         factor, unit = info.factor, _unit(info)
         sizes, at = (
             [round(factor * s.value, 2) for s in spots],
-            [round(drive.factor * study.reduced(s.phi), 2) for s in spots],
+            [round(drive.told(study.reduced(s.phi)), 2) for s in spots],
         )
         limits = [
             f"{size:.2f}{unit} ({q:.2f}{_unit(drive)})".replace("-", "−") for size, q in zip(sizes, at, strict=True)

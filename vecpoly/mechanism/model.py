@@ -89,7 +89,7 @@ class Drive:
 
     @property
     def lead(self) -> float:
-        """By how much its position is ahead of what is told of it (rad)."""
+        """By how much its position is ahead of what is told of it: its position where that is 0 (rad)."""
         return self.ray.zero - self.ray.lean if self.ray is not None else 0.0
 
     @property

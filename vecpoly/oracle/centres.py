@@ -145,7 +145,8 @@ def slowest(mech: Mechanism, link: str, p: str, q: str) -> complex:
 
 
 def limit(mech: Mechanism, pin: str, led: str, rod: str, *, extended: bool) -> float:
-    """Crank angle (deg, 0 to 360) at which the led point stands still, crank and rod being extended or overlapped.
+    """Crank angle (deg, 0 to 360, from where the problem counts it) at which the led point stands still,
+    crank and rod being extended or overlapped.
 
     The zeros of v_led over a whole turn, refined to rounding. Raises NotAskedError where there is none.
     """
@@ -167,7 +168,7 @@ def limit(mech: Mechanism, pin: str, led: str, rod: str, *, extended: bool) -> f
         if (float(dot(b - a, c - b)[0]) > 0) is extended and abs(
             float(_sway(turn, np.array([(low + high) / 2]), pin, led, rod)[0])
         ) < 1e-6 * np.nanmax(np.abs(sway)):
-            return float(np.degrees(np.angle((b - a)[0])) % 360.0)
+            return float(np.degrees(np.angle((b - a)[0]) - mech.drive.zero) % 360.0)
     raise NotAskedError(
         Words(
             f"曲柄与连杆没有{'拉直' if extended else '重叠'}共线的位置，{led} 不在该处停歇",

@@ -35,7 +35,7 @@ class Plan:
         if not np.isfinite(asked).all():
             raise AssemblyError(Words("原动件的位置不是有限的数", "a position of the drive is not a finite number"))
         drive = self.mech.drive
-        run = Run(asked, strict, "mm" if drive.slide else "deg")
+        run = Run(asked, strict, "mm" if drive.slide else "deg", zero=drive.lead)
         if self.followed:
             path, q = track(drive.position, STEP * (self.mech.scale if drive.slide else 2 * np.pi), asked)
             run = replace(run, q=q, track=path)

@@ -58,6 +58,7 @@ class Run:
     strict: bool
     unit: str  # how q reads in messages: "deg" or "mm"
     track: Track | None = None
+    zero: float = 0.0  # the position of which 0 is told (rad)
 
     @property
     def asked(self) -> int:
@@ -79,7 +80,7 @@ class Run:
 
     def text(self, q: float) -> str:
         """The drive's position as printed: 30°, 12 mm."""
-        return f"{np.degrees(q):.6g}°" if self.unit == "deg" else f"{1e3 * q:.6g} {self.unit}"
+        return f"{np.degrees(q - self.zero):.6g}°" if self.unit == "deg" else f"{1e3 * q:.6g} {self.unit}"
 
     def alive(self, det: Reals, size: Points | Reals | float, links: tuple[str, ...]) -> Reals:
         """The determinant of the rate equations; DeadPointError (or NaN) where it vanishes against its size."""

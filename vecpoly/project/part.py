@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ..cycle import Cycle, Facts, cycle, facts
 from ..designs.base import Design
+from ..findings.study.from_pivots import from_pivots
 from ..findings.study.study import Study
 from ..foundation.slotted import replace
 from ..mechanism.model import Mechanism
@@ -28,6 +29,11 @@ class Told(Study):
     @property
     def dense(self) -> bool:
         return True
+
+    @cached_property
+    def mech(self) -> Mechanism:
+        """Its drive as its problem tells it: no equations stand beside."""
+        return from_pivots(self.problem.mechanism)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -50,8 +50,9 @@ def refuse_idle(problem: Problem, working: Working) -> None:
     phi = problem.mechanism.drive.position
     if working.force is None or working.at(phi):
         return
-    at = "、".join(f"{degrees(a):.1f}°～{degrees(b):.1f}°" for a, b in working.stretches)
-    name, here = working.force.name, degrees(phi) % 360
+    told = working.loaded.drive.told
+    at = "、".join(f"{told(a):.1f}°～{told(b):.1f}°" for a, b in working.stretches)
+    name, here = working.force.name, told(phi) % 360
     raise FaultError(
         Words(
             f"载荷 {name} 在题设位置 {here:g}° 不作用（只作用于 {at}）；请把 phi 取在该范围内",

@@ -184,9 +184,10 @@ def _meet(board: Board, g: Line, h: Line, term: Term, what: str) -> Points:
         raise EquilibriumError(
             bilingual(what)
             + Words(
-                "：大小未知的两力作用线平行，力多边形不能闭合；请改变方向或摩擦",
-                ": the two forces of unknown size act along parallel lines, so the polygon cannot close; "
-                "change a direction, or the friction",
+                "：大小未知的两力作用线平行，力多边形不能闭合；死点（变点）处即如此，请另取位置，否则改变方向或摩擦",
+                ": the two forces of unknown size act along parallel lines, so the polygon cannot close; choose "
+                "another position where this is a dead point (or change point), else change a direction, or the "
+                "friction",
             )
         ) from None
 

@@ -159,7 +159,8 @@ def _weigh(problem: Problem, lang: Lang, tally: Tally) -> None:
 def _multiples(turn: Cycle, step: float) -> list[float]:
     """The drive's positions (rad or m) at the whole multiples of a step within its range: 0°, 7°, 14° ... 357°."""
     factor = turn.drive.factor
-    first, last = ceil(turn.low * factor / step - 1e-9), floor(turn.high * factor / step + 1e-9)
+    low, high = turn.drive.told(turn.low), turn.drive.told(turn.high)
+    first, last = ceil(low / step - 1e-9), floor(high / step + 1e-9)
     count = last - first + 1
     if count > POSITIONS:
         raise NotAskedError(
@@ -169,7 +170,6 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
             )
         )
     if count < 2:
-        low, high = turn.low * factor, turn.high * factor
         raise NotAskedError(
             Words(
                 f"步长 {step:g} 在 {low:.6g} … {high:.6g} {turn.drive.shown_unit} 内不足 2 个位置；请减小步长",
@@ -177,7 +177,7 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
                 f"{turn.drive.shown_unit}; take a finer step",
             )
         )
-    return [k * step / factor for k in range(first, last + 1)]
+    return [turn.drive.zero + k * step / factor for k in range(first, last + 1)]
 
 
 def _write(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> None:

@@ -125,7 +125,7 @@ def _place(cycle: Cycle, position: float) -> str:
     """A position of the input link: degrees to one decimal."""
     info = cycle.drive
     return (
-        f"{info.factor * position:.1f}°".replace("-", "−")
+        f"{info.told(position):.1f}°".replace("-", "−")
         if info.shown_unit == "°"
         else shown(cycle, info.key, position, 4)
     )

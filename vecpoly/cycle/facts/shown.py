@@ -20,7 +20,7 @@ def shown(cycle: Cycle, key: str, value: float, digits: int = 6) -> str:
     """A value of a column with its shown unit."""
     info = cycle.info(key)
     unit = info.shown_unit
-    return number(info.factor * value, digits) + (unit if unit == "°" else f" {unit}" if unit else "")
+    return number(info.told(value), digits) + (unit if unit == "°" else f" {unit}" if unit else "")
 
 
 def where(cycle: Cycle, spot: Spot) -> str:

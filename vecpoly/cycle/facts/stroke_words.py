@@ -40,5 +40,5 @@ def _stood(cycle: Cycle, spot: Spot, rest: tuple[float, float] | None) -> str:
     """Where the drive stands at a limit position, or the stretch in which the output rests there."""
     if rest is None:
         return where(cycle, spot)
-    begin, end = (f"{degrees(a):.1f}" for a in rest)
+    begin, end = (f"{cycle.drive.told(a):.1f}" for a in rest)
     return f"${cycle.drive.symbol}$ = {begin}° … {end}°".replace("-", "−")

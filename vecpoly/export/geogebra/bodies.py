@@ -97,7 +97,9 @@ class Bodies:
         if act.label != f"φ_{self.drive.link}":
             return
         along = bare(self.desk.pose[self.drive.link].along)
-        ends = (act.at, act.at + act.radius, act.at + act.radius * along)
+        if (ray := self.drive.ray) is not None:
+            along = along * cmath.rect(1.0, ray.lean)
+        ends = (act.at, act.at + act.radius * cmath.rect(1.0, self.drive.zero), act.at + act.radius * along)
         self.figure.page.line("CircleArc", "conicpart", [self.figure.at(end) for end in ends], Pen(width=THIN))
 
     def _pose(self, link: str) -> Pose | None:

@@ -111,17 +111,20 @@ class _Writer:
         factor = 1e3 if slide else degrees(1.0)
         stem, link = r.variable.split("_")
         label = self.page.labels.quantity(r.variable)
-        value = (r.drive.position if slide or r.low != 0.0 else r.drive.position % (2 * np.pi)) * factor
+        zero, whole = r.drive.lead, not slide and r.low == 0.0
+        value = r.drive.position - zero
+        low, high = (r.low, r.high) if whole else (r.low - zero, r.high - zero)
         self.page.slider(
             label,
-            value,
-            r.low * factor,
-            r.high * factor,
+            (value % (2 * np.pi) if whole else value) * factor,
+            low * factor,
+            high * factor,
             0.5 if slide else 1.0,
             (40.0, 40.0),
             f"${'s' if stem == 's' else 'φ'}_{{{link}}}$",
         )
-        own = self.page.hidden(f"{label} / 1000" if slide else f"{label} * {np.pi!r} / 180")
+        ahead = f" + {zero!r}" if zero else ""
+        own = self.page.hidden(f"{label} / 1000" if slide else f"{label} * {np.pi!r} / 180{ahead}")
         self.spelling.know(self.terms.variable(r.variable), own)
 
     def _figure(self, view: View, at: complex, low: complex) -> Figure:

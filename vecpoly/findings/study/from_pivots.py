@@ -58,3 +58,11 @@ def _joint(joint: Joint, name: str, lean: float) -> Joint:
 
 def _moved(line: Rack, start: complex, lean: float) -> Rack:
     return replace(line, origin=(line.origin - start) * cmath.rect(1.0, -lean), direction=line.direction - lean)
+
+
+def by_x_axis(mech: Mechanism) -> Mechanism:
+    """The same mechanism, the angle of its drive told by the x axis of its link, which stands in the equations,
+    however the problem tells it."""
+    if not mech.drives or mech.drive.ray is None:
+        return mech
+    return replace(mech, drives=(replace(mech.drive, ray=None), *mech.drives[1:]))

@@ -24,7 +24,7 @@ from ...problem.without_cycle import no_cycle
 from ...solution import Solution
 from ...words import Words
 from .also_asked import widened
-from .from_pivots import from_pivots
+from .from_pivots import by_x_axis, from_pivots
 from .one_drive import follows_one_drive
 from .place_told import place_told
 from .reactions import reactions, without_twins
@@ -50,8 +50,8 @@ class Study:
 
     @cached_property
     def mech(self) -> Mechanism:
-        """The mechanism, its links told from their fixed pivots."""
-        return from_pivots(self.problem.mechanism)
+        """The mechanism, its links told from their fixed pivots, its drive by its x axis."""
+        return by_x_axis(from_pivots(self.problem.mechanism))
 
     @property
     def drawn(self) -> bool:
@@ -73,13 +73,12 @@ class Study:
 
     @cached_property
     def whole(self) -> Cycle:
-        """The cycle that is told: all of it, or the working range of a drive that cannot turn right round."""
+        """The cycle that is told: all of it, or the working range of a drive that makes no whole turn."""
         return working_range(self.entire, self.model)
 
     @cached_property
     def entire(self) -> Cycle:
-        """The cycle from end to end, 20 positions to every row;
-        a range is told on the turn on which the given position lies."""
+        """The cycle from end to end, 20 positions to every row; a range is told on the turn of the given position."""
         found = cycle(replace(self.problem, subject=self.mech), n=36 * PARTS + 1)
         if found.whole or self.mech.drive.slide:
             return found
@@ -97,14 +96,15 @@ class Study:
         return next(m * power for m in (1, 2, 5, 10) if m * power >= raw) / factor
 
     def _grid(self, step: float) -> NDArray[np.float64]:
-        low, high = self.whole.low, self.whole.high
+        zero = self.mech.drive.lead
+        low, high = self.whole.low - zero, self.whole.high - zero
         edge = 1e-3 * (high - low)
-        return step * np.arange(np.ceil((low + edge) / step), np.floor((high - edge) / step) + 1)
+        return zero + step * np.arange(np.ceil((low + edge) / step), np.floor((high - edge) / step) + 1)
 
     @cached_property
     def rows(self) -> NDArray[np.intp]:
         """Indices of the table's rows."""
-        turns = self.turn.phi / self.step
+        turns = (self.turn.phi - self.mech.drive.lead) / self.step
         return np.flatnonzero(np.abs(turns - np.round(turns)) < 1e-6)
 
     @cached_property
@@ -234,8 +234,8 @@ class Study:
 
     def reduced(self, phi: float) -> float:
         """The position within 0 … 360° where the drive turns right round, 0 … 720° where a period takes two turns."""
-        turn = self.whole.period
-        return float(phi - turn * np.floor(phi / turn + 1e-9)) if self.whole.whole else phi
+        turn, zero = self.whole.period, self.mech.drive.lead
+        return float(phi - turn * np.floor((phi - zero) / turn + 1e-9)) if self.whole.whole else phi
 
 
 def study(solution: Solution) -> Study:

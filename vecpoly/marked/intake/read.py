@@ -46,9 +46,10 @@ def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf,
     if counts and not any(counts):
         raise TableError(
             Words(
-                f"{path}：没有一列是这次作业的答案；请核对文件和作业文件夹（题号有 {'、'.join(any_keys)}）",
+                f"{path}：没有一列是这次作业的答案；请核对文件和作业文件夹（题号有 {'、'.join(any_keys)}；"
+                f"有几题时表头写明题号，如 {next(iter(any_keys))}:v_E）",
                 f"{path}: no column holds answers to this class; check the file and the folder (the problems are "
-                f"{', '.join(any_keys)})",
+                f"{', '.join(any_keys)}; of several the head names the problem, as {next(iter(any_keys))}:v_E)",
             ),
             code="no-answers",
         )

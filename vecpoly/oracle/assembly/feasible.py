@@ -25,7 +25,16 @@ SEARCHED = 4.0  # scales to either side of a sliding drive's own position
 
 def scan(closes: Closes, drive: Drive, scale: float, *, followed: bool) -> Ranges:
     """Ranges of the drive that close, as text: degrees from 0..360 on, or mm along the guide."""
-    return tuple(_text(a, b, drive.slide) for a, b in spans(closes, drive, scale, TOLD, followed=followed))
+    found = spans(closes, drive, scale, TOLD, followed=followed)
+    return tuple(_text(*told_span(drive, low, high), drive.slide) for low, high in found)
+
+
+def told_span(drive: Drive, low: float, high: float) -> tuple[float, float]:
+    """A range as the problem tells the drive's angle, from 0..360° on (rad); a travel, or a whole turn, as it is."""
+    if not drive.lead or high - low >= WHOLE * (1 - 1e-12):
+        return low, high
+    first = (low - drive.lead) % WHOLE
+    return first, first + high - low
 
 
 def spans(closes: Closes, drive: Drive, scale: float, halvings: int = HALVINGS, *, followed: bool = False) -> Spans:

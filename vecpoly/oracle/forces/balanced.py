@@ -28,7 +28,7 @@ def balanced(mech: Mechanism, loads: Loads, position: ArrayLike | None, *, stric
     rates = motion.bodies if moving else solve(unit_drive(mech), position, order=1, strict=strict).bodies
     asked = np.atleast_1d(np.asarray(mech.drive.position if position is None else position, dtype=np.float64))
     stands = Stands(mech, motion.bodies, asked)
-    judge = Judge(Run(asked, strict, "mm" if mech.drive.slide else "deg"))
+    judge = Judge(Run(asked, strict, "mm" if mech.drive.slide else "deg", zero=mech.drive.lead))
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # places where it does not assemble
         system = System(
             tuple(name for name in mech.bodies if name not in mech.slot_pins),
@@ -43,7 +43,7 @@ def balanced(mech: Mechanism, loads: Loads, position: ArrayLike | None, *, stric
         skip = judge.lost.copy()
         judge.senseless(system, rates, moving)
         dry, wet, reached = solved(system, skip)
-        judge.unsolved(dry)
+        judge.unsolved(system, dry)
         judge.locked(system, (dry, wet), reached, loads.helps, rates)
         judge.parting(system, wet)
     return Equilibrium(mech, loads, motion, rates, system, dry, wet.without(judge.lost), judge.causes, stands)

@@ -15,6 +15,7 @@ from .causes import Cause
 from .system import ROUNDING, Balance, System
 
 Flags = NDArray[np.bool_]
+BEYOND = 1e11  # times the loads: reactions that only rounding keeps from being infinite
 STILL = 1e-9  # of the mechanism's scale of rates: below it nothing moves
 
 
@@ -99,13 +100,14 @@ class Judge:
                     )
                 )
 
-    def unsolved(self, dry: Balance) -> None:
-        """EquilibriumError where the equations have no single solution."""
-        if (at := self.bad(~np.isfinite(dry.load), Cause.UNSOLVED)) is not None:
+    def unsolved(self, system: System, dry: Balance) -> None:
+        """EquilibriumError where the equations have no single solution, or one that is made of rounding alone."""
+        if (at := self.bad(~np.isfinite(dry.load) | (dry.largest > BEYOND * system.given), Cause.UNSOLVED)) is not None:
             raise EquilibriumError(
                 Words(
-                    f"{self.where(at).zh}，各反力没有唯一解：有构件受重复约束，或处于死点位置",
-                    f"the reactions have no single value {self.where(at).en}: a link is held twice, or at a dead point",
+                    f"{self.where(at).zh}，各反力没有唯一解：有构件受重复约束，或机构处于死点（变点）位置；请另取位置",
+                    f"the reactions have no single value {self.where(at).en}: a link is held twice, or the mechanism "
+                    "is at a dead point (or change point); choose another position",
                 )
             )
 
@@ -169,7 +171,7 @@ class Judge:
             if pair.pushes and (at := self.bad(units[0] < -STILL * largest, Cause.PARTING)) is not None:
                 raise EquilibriumError(
                     Words(
-                        f"{self.where(at).zh}，构件 {'、'.join(pair.who)} 在{pair.text.zh}脱开："
+                        f"{self.where(at).zh}，构件 {'、'.join(pair.who)} 在{pair.text.zh} 处脱开："
                         f"平衡需要该处有 {-float(units[0][at]):.4g} N 的拉力，而接触只能受压；请改变载荷的方向",
                         f"links {' and '.join(pair.who)} part at their {pair.text.en} {self.where(at).en}: "
                         f"equilibrium would need a pull of {-float(units[0][at]):.4g} N there, and a contact "

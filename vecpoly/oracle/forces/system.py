@@ -144,7 +144,13 @@ class System:
         none = np.zeros(self.count)
         return Balance(units, tuple(next(rubs) if pair.rubs else none for pair in self.pairs), x[-1], self._largest(x))
 
+    @property
+    def given(self) -> Reals:
+        """The largest of the given loads at each position (N), couples over the mechanism's scale."""
+        sizes = [size for act in self.known for size in (np.abs(act.force), np.abs(act.couple) / self.scale)]
+        largest: Reals = np.max(np.broadcast_arrays(np.zeros(self.count), *sizes), axis=0)
+        return largest
+
     def _largest(self, x: Reals) -> Reals:
-        given = [size for act in self.known for size in (np.abs(act.force), np.abs(act.couple) / self.scale)]
-        largest: Reals = np.max(np.broadcast_arrays(np.zeros(self.count), *given, *np.abs(x[:-1])), axis=0)
+        largest: Reals = np.max(np.broadcast_arrays(self.given, *np.abs(x[:-1])), axis=0)
         return largest

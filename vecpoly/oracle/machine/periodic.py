@@ -23,7 +23,9 @@ def settled(mover: Mover, phi: float, omega: float) -> Moved:
     for turn in range(TURNS):
         moved = follow(mover, phi, omega, period)
         if moved.outcome is not Outcome.REACHED:
-            raise EquilibriumError(_ends(moved, turn), code="not-steady", numbers={"turns": turn})
+            raise EquilibriumError(
+                _ends(moved, turn, mover.mech.drive.lead), code="not-steady", numbers={"turns": turn}
+            )
         last, omega = omega, moved.end[2]
         if abs(omega - last) < 1e-4 * abs(omega):
             break
@@ -52,9 +54,10 @@ def _fixed(mover: Mover, phi: float, last: float, omega: float) -> float:
     return b[0]
 
 
-def _ends(moved: Moved, turn: int) -> Words:
+def _ends(moved: Moved, turn: int, zero: float) -> Words:
+    """zero: the position of the drive of which 0 is told (rad)."""
     t, phi, _ = moved.end
-    place = f"{np.degrees(phi):.5g}°"
+    place = f"{np.degrees(phi - zero):.5g}°"
     return Words(
         f"机器不能达到稳定运转：第 {turn + 1} 转中于 $φ$ = {place} 处停住（t = {t:.4g} s）；请加大驱动力矩、飞轮或"
         "初速度",

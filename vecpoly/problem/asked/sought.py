@@ -28,6 +28,7 @@ from .pressed import pressed_quantities
 from .printed import read_printed
 from .unasked import default_asks
 from .wanted import CENTRAL, read_find, read_point
+from .written import names_centre
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
@@ -111,5 +112,5 @@ def _geometric(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[
 def _by_centres(spec: ProblemSpec, mechanism: Mechanism) -> dict[str, Named]:
     """What the instant centres give, where one of these is asked for or printed."""
     keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
-    wanted = any(key == ALL_CENTRES or CENTRAL.match(key) for key in keys)
+    wanted = any(key == ALL_CENTRES or CENTRAL.match(key) or names_centre(key) for key in keys)
     return centre_quantities(mechanism) if wanted else {}

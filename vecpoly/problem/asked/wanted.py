@@ -18,7 +18,8 @@ from ..schema.faults import meant
 from ..schema.models import FindSpec
 from ..text.spelling import did_you_mean, intended, plain
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
-from .untouched import joined, refuse_untouched
+from .untouched import refuse_untouched
+from .written import named_by
 
 _POINT = pattern(rf"({LETTER})(\d+)")
 _FORCES = pattern(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
@@ -123,8 +124,8 @@ def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
 
 def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Key:
     """A key of motion (v_E) or of forces (R_12); raises FaultError."""
-    if (key := joined(plain(text))) in forces:
-        return forces[key]
+    if (meant_so := named_by(text, forces)) is not None:
+        return meant_so
     if CENTRAL.match(text) and text[0] != "v":
         raise FaultError(
             Words(

@@ -33,8 +33,16 @@ _GREEK = str.maketrans({"ω": "omega", "α": "alpha", "γ": "gamma"})
 
 
 def plain(text: str) -> str:
-    """The key behind a symbol in the letters of a textbook: ω_3 → omega_3, aⁿ_CB → an_CB."""
-    return re.sub(r"^a([ⁿᵗᵏʳᶜ])", lambda m: f"a{RAISED[m[1]]}", text).translate(_GREEK)
+    """The key behind a symbol in the letters of a textbook: ω_3 → omega_3, aⁿ_CB → an_CB; and behind one that has the
+    letters and figures of a single key, ω3, a_{C}, v_C/B. Letters that may be others (w3, v_e) stay as they are."""
+    key = re.sub(r"^a([ⁿᵗᵏʳᶜ])", lambda m: f"a{RAISED[m[1]]}", text).translate(_GREEK)
+    guess = intended(text)
+    return guess if guess and bare_letters(guess) == bare_letters(text) else key
+
+
+def bare_letters(text: str) -> str:
+    """The letters and figures of a symbol without what sets them: R₁₂, R_{12}, R_12 → R12."""
+    return _NOISE.sub("", text.translate(_SMALL)).replace("_", "").replace("^", "")
 
 
 def intended(text: str) -> str | None:

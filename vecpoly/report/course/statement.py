@@ -131,7 +131,7 @@ def assumed(study: Study) -> Words:
 def counted(study: Study) -> Words:
     """From where the angles of this report count, where the position is given in another way."""
     drive = study.mech.drive
-    if drive.ray is None:
+    if study.problem.mechanism.drive.ray is None:
         return Words.same("")
     given = next(datum for datum in study.problem.given.motion if datum.symbol == f"φ_{drive.link}")
     here = study.where(drive.position).split(" = ")[1]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import degrees
 from typing import Any
 
 import numpy as np
@@ -69,7 +68,7 @@ def _works(part: Part) -> Words:
     force = part.working.force
     if force is None:
         return Words.same("")
-    ranges = [f"{degrees(a):.1f}°～{degrees(b):.1f}°" for a, b in part.working.stretches]
+    ranges = [f"{part.turn.drive.told(a):.1f}°～{part.turn.drive.told(b):.1f}°" for a, b in part.working.stretches]
     symbol = part.turn.drive.symbol
     return Words(
         f"${force.name}$ 只在 ${symbol}$ = {'、'.join(ranges)} 内作用，其余位置不计。",
@@ -85,7 +84,7 @@ def _moment(part: Part, turn: Cycle, binder: Binder) -> str:
     assert part.balance is not None
     made = curves(turn, (part.balance.key,), binder.lang, width=_WIDE[0], panel=_WIDE[1])
     sign = np.sign(turn.mech.drive.rate)
-    ends = [turn.drive.factor * turn.phi[0], turn.drive.factor * turn.phi[-1]]
+    ends = [turn.drive.told(turn.phi[0]), turn.drive.told(turn.phi[-1])]
     line(made.figure.axes[0], ends, [sign * part.balance.mean] * 2, PENS[1])
     symbol = turn.info(part.balance.key).symbol
     title = Words(

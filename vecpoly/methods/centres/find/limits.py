@@ -42,7 +42,7 @@ def find_limit(desk: Desk, named: Named) -> None:
     board, a = desk.board, desk.at[_pivot(desk)]
     pane = board.open_pane(View.MECHANISM, NAME, PANE, aside=True)
     board.step(_lead(led, rod), pane, again=_SECOND)
-    board.remark(_words(_pivot(desk), pin, led, extended, crank > rod_length))
+    board.remark(_words(_pivot(desk), pin, led, extended, crank > rod_length) + _counted(desk))
     reach = crank + rod_length if extended else abs(rod_length - crank)
     ends = [
         (c, ahead(a, unit(c - a), crank if extended or crank > rod_length else -crank))
@@ -58,7 +58,7 @@ def find_limit(desk: Desk, named: Named) -> None:
             )
         )
     c, b = fitting[0]
-    angle = np.degrees(board.gauge(a, b))
+    angle = np.degrees(board.gauge(a, b) - desk.mech.drive.zero)
     degrees = float(nominal(angle)) % 360.0
     _draw(desk, pane, (pin, led, rod), (b, c), "′" if extended else "″", degrees)
     board.write(Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°"))))
@@ -125,9 +125,10 @@ def _draw(
         way = complex(nominal(desk.guide_line(joint).along))
         board.join(pane, c - way * 25, c + way * 25, Role.CENTRE)
     board.depict(pane, *grounds)
-    board.join(pane, a, a + max(reach * 0.3, RADIUS + 6), Role.CENTRE)
+    level = complex(np.exp(1j * desk.mech.drive.zero))
+    board.join(pane, a, a + max(reach * 0.3, RADIUS + 6) * level, Role.CENTRE)
     radius, label = RADIUS if prime == "′" else RADIUS * 0.65, f"φ_{led}^{{{prime.replace('″', '′′')}}}"
-    board.angle(pane, a, 1 + 0j, float(np.radians(degrees)), radius, label)
+    board.angle(pane, a, level, float(np.radians(degrees)), radius, label)
     board.plot(pane, b, f"{pin}{prime}", Dot.JOINT)
     board.plot(pane, c, f"{led}{prime}", Dot.JOINT)
 
@@ -156,7 +157,14 @@ def _words(a: str, b: str, c: str, extended: bool, long_crank: bool) -> Words:
     how, how_en = ("拉直", "extended") if extended else ("重叠", "overlapped")
     sum_up = f"{b}{c} + {a}{b}" if extended else (f"{a}{b} − {b}{c}" if long_crank else f"{b}{c} − {a}{b}")
     return Words(
-        f"{how}共线：以 ${a}$ 为圆心、${sum_up}$ 为半径画弧，交 ${c}$ 的轨迹于极限位置，量得曲柄的位置角：",
+        f"{how}共线：以 ${a}$ 为圆心、${sum_up}$ 为半径画弧，交 ${c}$ 的轨迹于极限位置，量得曲柄的位置角",
         f" {how_en.capitalize()}: the arc about ${a}$ with the radius ${sum_up}$ cuts the path of ${c}$ in a limit "
-        "position; the angle of the crank is read off there:",
+        "position; the angle of the crank is read off there",
     )
+
+
+def _counted(desk: Desk) -> Words:
+    """From which line that angle counts, where the problem names one."""
+    ray = desk.mech.drive.ray
+    line = f"${ray.line}$" if ray is not None and ray.line else ""
+    return Words(f"（由 {line} 量起）：", f", from {line}:") if line else Words("：", ":")

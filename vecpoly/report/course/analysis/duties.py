@@ -160,5 +160,5 @@ def _at(study: Study, spot: Spot, lang: Lang) -> str:
     phi = spot.phi % turn if turn else spot.phi
     where = study.where(phi).split(" = ")[1]
     if drive.shown_unit == "°":
-        where = f"{drive.factor * phi:.1f}°".replace("-", "−")
+        where = f"{drive.told(phi):.1f}°".replace("-", "−")
     return f"（{where}）" if lang == "zh" else f" ({where})"

@@ -198,7 +198,7 @@ def _chart(study: Study, press: Press, found: Compared) -> list[str]:
     info, (width, panel) = study.turn.info(key), WIDE
     plot = curves(study.turn, (key,), press.lang, width=width, panel=panel, marks=False)
     symbol = f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$"  # as on the axis
-    x = [study.turn.drive.factor * station.phi for station in found.stations]
+    x = [study.turn.drive.told(station.phi) for station in found.stations]
     told = np.array([info.factor * station.drawn[key] for station in found.stations])
     cut = spread(plot.figure.axes[0], told)
     style.dots(plot.figure.axes[0], x, told, style.PENS[0].hue, 1.5, hollow=True)

@@ -55,7 +55,7 @@ def extremes(study: Study, press: Press) -> str:
 def _placed(study: Study, found: Extremes, spot: Spot, press: Press) -> str:
     """The drive's position to a tenth, of two that are alike both; of more the first, with a sign of more."""
     drive = study.turn.drive
-    told = dict.fromkeys(decimal(drive.factor * study.reduced(s.phi), 1) for s in alike(study, found, spot))
+    told = dict.fromkeys(decimal(drive.told(study.reduced(s.phi)), 1) for s in alike(study, found, spot))
     every = [*told]
     comma = "、" if press.lang == "zh" else ", "
     return comma.join(every[:_TOLD]) + ("…" if len(every) > _TOLD else "")

@@ -42,7 +42,7 @@ def halved(study: Study, keys: Sequence[str], every: int = 1) -> Words:
 
 def given_place(study: Study) -> float:
     """Where the drive stands in the problem, as tables tell it."""
-    return study.turn.drive.factor * study.mech.drive.position
+    return float(study.turn.drive.told(study.mech.drive.position))
 
 
 def _of_one_period(study: Study, keys: Sequence[str], every: int) -> tuple[Table, Words]:
