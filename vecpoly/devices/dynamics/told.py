@@ -97,7 +97,7 @@ def reduced_task(
         "$J_i$ 为轴 $i$ 连同其上零件的转动惯量", "$J_i$ is the moment of inertia of shaft $i$ with all that sits on it"
     )
     own = [inertia] if any(shaft.J for shaft in shafts.values()) else []
-    to = Words(f"以轴 {main} 为等效构件", f"all is reduced to shaft {main}")
+    to = Words(f"以轴 {main} 为等效构件", f"shaft {main} is the equivalent link")
     ratios = Words(
         "$i$ 为前一下标的轴与后一下标的轴的角速度之比",
         "$i$ is the speed of the shaft told first over that of the second",

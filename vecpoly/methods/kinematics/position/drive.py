@@ -112,9 +112,9 @@ def _at_angle(desk: Desk, drive: Drive, others: list[str], phi: str) -> Words:
     found, found_en = ("试得的", "the ") if not phi else ("", "")
     told = drive.ray if phi else None
     below = phi and _told(drive) < 0  # by its sign alone a reader may not know the side
-    axis = Words(f"${told.line}$", f"${told.line}$") if told and told.line else Words("$x$ 轴", "the $x$ axis")
+    axis = Words(f"${told.line}$ ", f"${told.line}$") if told and told.line else Words("$x$ 轴", "the $x$ axis")
     line = Words(
-        f"过固定铰链 ${pivot}$ 作与 {axis.zh} 成{found} $φ_{drive.link}${phi}{'（顺时针）' if below else ''} 的直线",
+        f"过固定铰链 ${pivot}$ 作与 {axis.zh}成{found} $φ_{drive.link}${phi}{'（顺时针）' if below else ''} 的直线",
         f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to {axis.en}{' (clockwise)' if below else ''}",
     )
     if told is not None and told.to in others:
