@@ -17,6 +17,7 @@ from vecpoly.oracle.machine.balance import counterweights
 from vecpoly.oracle.machine.counterweighted import shaking
 from vecpoly.report.content import conclusions
 from vecpoly.report.titles import subject
+from vecpoly.report.values import counted_from
 
 CASES: dict[str, Any] = json.loads((Path(__file__).parents[1] / "data" / "dynamics.json").read_text(encoding="utf-8"))
 NAMES = ("balance-four-bar", "balance-slider-crank", "balance-shaper")
@@ -158,3 +159,9 @@ def test_a_mass_beside_the_line_of_its_pins_is_told_once_with_both_angles() -> N
     beside = [step.words.en for step in steps if "does not lie" in step.words.en]
     assert [one.count("does not lie") for one in beside] == [1]
     assert "$m_{B2}$" in beside[0] and "that of $m_{C2}$" in beside[0]
+
+
+def test_the_angle_of_a_counterweight_is_told_from_its_link_and_no_other_quantity_is() -> None:
+    problem = vecpoly.load("balance-four-bar")
+    told = [counted_from(problem, key) for key in ("theta_c1", "theta_c3", "W_c1")]
+    assert [one and one.en for one in told] == ["counter-clockwise from $AB$", "counter-clockwise from $DC$", None]

@@ -19,7 +19,7 @@ from vecpoly.mechanism.asked.centres import link_pairs
 from vecpoly.mechanism.model import FRAME
 from vecpoly.methods.centres.state import BEYOND
 from vecpoly.methods.registry import Stage, find
-from vecpoly.names import At, omega
+from vecpoly.names import At, ascii_key, omega
 from vecpoly.oracle.centres import Centres
 from vecpoly.oracle.iterated.watch import PATIENCE, Watch
 from vecpoly.report.statement.structure import structure
@@ -91,6 +91,13 @@ def test_a_class_iii_group_needs_one_trial_triangle_and_then_all_centres_follow(
     assert len(trials) == 1 and "Try any point $x$" in trials[0].words.en
     assert find(Stage.CENTRES, "trial").draw.__name__ == "find_by_trial"
     assert all(len(directions) >= 3 for directions in through_corners(solution, trials[0].number))
+
+
+def test_every_centre_of_a_class_iii_linkage_bears_its_letter_also_the_one_found_by_trial() -> None:
+    solution = C3.solve(by="exact")
+    (figure,) = (one for one in solution.construction.figures if one.name == "centres")
+    letters = {ascii_key(mark.label) for mark in figure.marks if isinstance(mark, Point)}
+    assert {key for key in solution.answers if key.startswith("P_")} <= letters
 
 
 def through_corners(solution: Solution, step: int) -> list[set[float]]:

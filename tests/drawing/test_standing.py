@@ -8,7 +8,7 @@ import pytest
 from vecpoly.drawing.labels.want import Thing
 from vecpoly.drawing.weighing.clashes import Others, Trial, clashes
 from vecpoly.drawing.weighing.standing import Meeting, Standing
-from vecpoly.drawing.weighing.stood import Stood
+from vecpoly.drawing.weighing.stood import LEADERS_CROSS, Stood
 
 COUNT, PLACES = 7, 12  # labels, and places of each
 HALF = complex(3.0, 1.8)
@@ -17,11 +17,11 @@ NUMBERS = list(range(PLACES))
 
 
 def places_of(seed: int, *, led: bool) -> tuple[np.ndarray, np.ndarray | None]:
-    """Middles of the places of a label, some far from the others, and the feet of their leaders."""
+    """Middles of the places of a label, some far from the others, and the feet of their leaders, all about it."""
     rng = np.random.default_rng(seed)
     middles = rng.uniform(0.0, 30.0, PLACES) + 1j * rng.uniform(0.0, 30.0, PLACES)
     middles[::4] += 200.0
-    return middles, middles + 6.0 if led else None
+    return middles, middles + 9.0 * np.exp(2j * np.pi * rng.random(PLACES)) if led else None
 
 
 def trial_of(i: int, *, led: bool) -> Trial:
@@ -59,6 +59,16 @@ def test_two_labels_cost_each_other_the_same_whether_they_are_weighed_alone_or_a
         assert many.tolist() == [[trial.one(k).meets(one) for one in stood] for k in range(PLACES)]
         assert many.T.tolist() == clashes(other, Others.of([trial.one(k) for k in range(PLACES)])).tolist()
         assert many.any()
+
+
+def test_leaders_that_cross_are_dear_from_whichever_side_one_comes() -> None:
+    for turn in np.exp(2j * np.pi * np.arange(12) / 12):
+        one, other = (
+            Stood.at(centre * turn, HALF, foot * turn, Thing.OTHER)
+            for centre, foot in ((20 + 0j, -20 + 0j), (20j, -20j))
+        )
+        beside = Stood.at(30j * turn, HALF, 12j * turn, Thing.OTHER)
+        assert one.meets(other) == other.meets(one) == LEADERS_CROSS and not one.meets(beside)
 
 
 @pytest.mark.parametrize("below", [np.inf, 140.0, 20.0])

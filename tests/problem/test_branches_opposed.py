@@ -23,6 +23,8 @@ OPPOSED = [
     ("C left of BD", "C left of DB"),
     ("C left of BD", "B right of DC"),
     ("C left of BD", "D left of BC"),
+    ("C left of BD", "D right of CB"),
+    ("D left of CB", "B right of DC"),
     ("C above AD", "C below DA"),
     ("C left of D", "C right of D"),
     ("C left of D", "D left of C"),

@@ -9,7 +9,7 @@ from math import isfinite
 
 import pytest
 
-from tests.drawn_library import DRAFTED, drafted
+from tests.drawn_library import DRAFTED, drafted, drawn
 from tests.each import each
 from tests.framed_answers import rows_in
 from vecpoly.algebra.formula import plain
@@ -297,3 +297,12 @@ def test_a_length_on_paper_times_its_scale_is_the_value_that_is_told(name: str) 
         unit = 1e3 if printed_unit(answer.reading.unit)[1] == "mm" else 1.0
         half = 0.5001 * 10.0 ** -len(told[2].partition(".")[2])
         assert any(abs(float(told[1]) * scale * unit - float(told[2])) <= half for scale in scales), told[0]
+
+
+@pytest.mark.parametrize("name", ["8-4", "field-two-runs"])
+def test_a_line_of_the_box_stands_under_its_solution_where_there_are_two(name: str) -> None:
+    box = answer_box(drawn(name).solution, "en")
+    assert {"Solution 1", "Solution 2"} <= {line.heading for line in box.lines}
+    for line in box.lines:
+        number = line.key.rpartition("_")[2]
+        assert line.heading == (f"Solution {number}" if number in ("1", "2") else ""), line.key

@@ -75,3 +75,8 @@ def test_what_a_search_finds_for_a_path_has_its_curve_on_the_sheet() -> None:
     found = run(search, "t", Words.same("t"), count=2000, seed=1).problem
     assert found.target is not None and found.target.point == "E" and found.target.closed
     assert len(found.target.through) == 12
+
+
+def test_how_far_a_point_lies_from_a_path_is_to_its_nearest_side_or_to_its_end() -> None:
+    path = np.array([0, 2, 2 + 3j])
+    assert [distance(path, z) for z in (1 + 1j, 3 + 1j, -3 + 0j, 2 + 5j, 5 + 7j)] == pytest.approx([1, 1, 3, 2, 5])
