@@ -13,6 +13,9 @@ from vecpoly.board.paper.walls import HEIGHT, holds, leaves
 
 ALONG, ASIDE = st.floats(-12.0, 12.0), st.floats(-6.0, 6.0)
 OWN = st.builds(complex, ALONG, ASIDE)
+SHARES = st.builds(
+    complex, st.floats(-0.98, 0.98), st.floats(-0.98, 0.98)
+)  # of half the length, and of half the height
 BLOCKS = st.builds(
     lambda x, y, turn, length: Block(at=complex(x, y), along=cmath.exp(1j * turn), length=length),
     st.floats(-50.0, 50.0),
@@ -44,9 +47,15 @@ def test_a_block_holds_what_lies_just_within_its_walls_and_not_what_lies_just_be
         assert [holds(block, spot(block, own)) for own in (at_an_end, beside)] == [share < 1.0] * 2
 
 
-@given(block=BLOCKS, start=OWN, tip=OWN)
-def test_a_bar_from_within_a_block_to_without_leaves_it_on_a_wall(block: Block, start: complex, tip: complex) -> None:
-    assume(reach(block, start) < 0.99 and reach(block, tip) > 1.01)
+@given(block=BLOCKS, within=SHARES, without=SHARES, out=st.floats(1.02, 4.0), ended=st.booleans())
+def test_a_bar_from_within_a_block_to_without_leaves_it_on_a_wall(
+    block: Block, within: complex, without: complex, out: float, ended: bool
+) -> None:
+    start, tip = (
+        complex(share.real * block.length / 2, share.imag * HEIGHT / 2)
+        for share in (within, complex(out, without.imag) if ended else complex(without.real, -out))
+    )
+    assert reach(block, start) < 0.99 and reach(block, tip) > 1.01
     wall = leaves(block, spot(block, start), spot(block, tip))
     assert wall is not None
     own = (wall - block.at) / block.along

@@ -102,6 +102,13 @@ def test_one_quantity_under_two_spellings_is_given_twice() -> None:
         check_answers(load("3-9"), ["ω3=1.99 cw", "ω_3=5 cw"])
 
 
+@pytest.mark.parametrize("other", ["w5", "omega_5", "ω5", "ϖ₅"])
+def test_one_quantity_by_two_names_is_given_twice(other: str) -> None:
+    """The last one was taken in silence."""
+    with pytest.raises(ArgumentError, match="given twice"):
+        check_answers(load("3-12"), ["ω_5=4.72", f"{other}=4.7"])
+
+
 def test_a_length_under_its_printed_symbol_answers_what_is_asked() -> None:
     """A step of 8-16 has the symbol of its result: l_AB, of which AB is asked."""
     right, wrong = (check_answers(load("8-16"), {"l_AB": text}).answers for text in ("21.5 mm", "25 mm"))

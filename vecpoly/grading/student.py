@@ -101,6 +101,7 @@ def check_answers(problem: Problem, answers: Mapping[str, str | float] | Iterabl
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     given = _split(answers)
     key, problem = _key_for(problem, tuple(given))
+    _refuse_twice(given, [one.key for one in key.quantities])
     sheet = sheet_of(key, given)
     marked = mark(problem, key, lambda: mutants(problem, key), sheet)
     findings = tuple(replace(one, messages=alone(one.messages)) for one in marked.findings)
@@ -127,12 +128,29 @@ def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str 
             raise ArgumentError(
                 Words(f"“{text}”不是答案；请写 v_D=0.49", f"'{text}' is no answer; write v_D=0.49"), code="answer"
             )
-        if squeezed(symbol) in map(squeezed, found):  # ω3 and ω_3 are one
-            raise ArgumentError(
-                Words(f"{symbol} 写了两次；请只留一个", f"{symbol} is given twice; leave one of them"), code="twice"
-            )
+        if symbol in found:
+            raise _twice(symbol)
         found[symbol] = value
     return found
+
+
+def _refuse_twice(symbols: Iterable[str], keys: list[str]) -> None:
+    """ArgumentError where two symbols mean one quantity: ω_3 and w3."""
+    met = set[str]()
+    for symbol in symbols:
+        try:
+            meant = keyed(symbol, keys)
+        except UnknownNameError:  # a scale, a row of an equation
+            meant = squeezed(symbol)
+        if meant in met:
+            raise _twice(symbol)
+        met.add(meant)
+
+
+def _twice(symbol: str) -> ArgumentError:
+    return ArgumentError(
+        Words(f"{symbol} 写了两次；请只留一个", f"{symbol} is given twice; leave one of them"), code="twice"
+    )
 
 
 def parted(text: str) -> tuple[str, str]:
