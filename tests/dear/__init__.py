@@ -1,7 +1,7 @@
-"""Dear claims are tried in turns: `make test` takes a twelfth of them, drawn anew with every change of the code.
+"""Dear claims are tried in turns: `make test` takes a sixteenth of them, drawn anew with every change of the code.
 
 What is drawn depends on the code alone, so that the same state of the project is tried by the same claims on every
-machine, and every claim has its turn in one of twelve states on average. `TURNS=1 make test` tries all of them, and so
+machine, and every claim has its turn in one of sixteen states on average. `TURNS=1 make test` tries all of them, and so
 does the soak; whoever names files or tests gets all that he names.
 """
 
@@ -15,7 +15,7 @@ from zlib import crc32
 
 HERE = Path(__file__).parent
 LIST = HERE / "claims.txt"  # written by `python -m tests.dear`
-TURNS = 12  # a dear claim is tried in one of so many states of the code
+TURNS = 16  # a dear claim is tried in one of so many states of the code
 CODE = ("vecpoly", "templates", "problems")  # what is tried
 
 

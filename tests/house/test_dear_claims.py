@@ -20,7 +20,7 @@ def _is_test(name: str) -> bool:
     return (ROOT / file).is_file() and f"def {function}(" in (ROOT / file).read_text(encoding="utf-8")
 
 
-def test_a_twelfth_is_tried_in_each_state_of_the_code_and_each_in_one_of_few() -> None:
+def test_a_sixteenth_is_tried_in_each_state_of_the_code_and_each_in_one_of_few() -> None:
     tried = [set(NAMES) - resting(NAMES, f"state {n}", TURNS) for n in range(150)]
     assert all(len(NAMES) / TURNS / 2 < len(one) < len(NAMES) / TURNS * 1.5 for one in tried)
     assert set().union(*tried) == set(NAMES)
