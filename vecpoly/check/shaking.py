@@ -33,7 +33,7 @@ def shaking_of(problem: Problem, drawn: Mapping[str, float]) -> Words | None:
 
     without, exact = shaking(mech, asked), shaking(mech, asked, counterweights(mech, asked))
     most, where = without.largest
-    at = f"{degrees(where - mech.drive.lead):.4g}°"
+    at = f"{degrees(mech.drive.told(where)):.4g}°"
     x, y = (_shown(1e3 * part, 1e3 * mech.scale, 4) for part in _parts(complex(exact.centre.mean())))
     told = Words(
         f"校核（{_over(len(without.at)).zh}）：不加配重时机架所受惯性力最大 {most:.4g} N"

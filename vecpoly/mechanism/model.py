@@ -92,6 +92,10 @@ class Drive:
         """By how much its position is ahead of what is told of it: its position where that is 0 (rad)."""
         return self.ray.zero - self.ray.lean if self.ray is not None else 0.0
 
+    def told(self, position: float) -> float:
+        """What the problem tells of this position (rad, or m)."""
+        return position - self.lead
+
     @property
     def between(self) -> bool:
         """Whether it acts between two moving links, as a hydraulic cylinder does."""

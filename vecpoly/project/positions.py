@@ -28,7 +28,7 @@ def position(solution: Solution, phi: float, working: Working, by: str, seed: in
     there = next(posed(solution.problem, phi))
     if there is None:
         slide = solution.problem.mechanism.drive.slide
-        where = f"{1e3 * phi:g} mm" if slide else f"{degrees(phi - solution.problem.mechanism.drive.lead):g}°"
+        where = f"{1e3 * phi:g} mm" if slide else f"{degrees(solution.problem.mechanism.drive.told(phi)):g}°"
         raise FaultError(
             Words(
                 f"机构不能装配在 {where} 处，或无法由已知装配方式到达；请另选位置",

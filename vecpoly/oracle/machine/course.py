@@ -119,7 +119,7 @@ def _cuts(mech: Mechanism, loads: Loads, sense: float) -> Reals:
 
 def _rocks(mech: Mechanism, low: float, high: float) -> Words:
     slides = mech.drive.slide
-    a, b = (f"{1e3 * x:.5g} mm" if slides else f"{np.degrees(x - mech.drive.lead):.5g}°" for x in (low, high))
+    a, b = (f"{1e3 * x:.5g} mm" if slides else f"{np.degrees(mech.drive.told(x)):.5g}°" for x in (low, high))
     return Words(
         f"原动件 {mech.drive.link} 不作整周转动（只能在 {a} 与 {b} 之间运动），没有稳定运转的周期；"
         "仍可求某一位置的 J_e、M_e，或由 start 求运动",

@@ -85,7 +85,7 @@ def _during(at: OffPaper, window: During, *, here: bool) -> Words:
     """φ_1 = 120° within 60° to 150°, or s_1 in mm."""
     drive = at.desk.mech.drive
     unit, mark = (1e3, " mm") if drive.slide else (180 / np.pi, "°")
-    place, starts, ends = (float(nominal(size)) - drive.lead for size in (at.drive(), window.low, window.high))
+    place, starts, ends = (drive.told(float(nominal(size))) for size in (at.drive(), window.low, window.high))
     if here and window.period:
         shifted = starts + (place - starts) % window.period
         place = shifted if shifted <= ends else place % window.period  # 60° within 300° to 100°

@@ -91,7 +91,7 @@ def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
 
 def _told(drive: Drive) -> float:
     """φ as the problem tells it (rad): of the ray from the pivot, from the line that is named."""
-    return float(nominal(drive.position)) - drive.lead
+    return drive.told(float(nominal(drive.position)))
 
 
 def _centre_found(desk: Desk, drive: Drive, pivot: str, k: str) -> Words:

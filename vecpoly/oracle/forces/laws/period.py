@@ -84,7 +84,7 @@ def _refuse_role(mech: Mechanism, loads: Loads, size: float) -> None:
 
 def _aperiodic(mech: Mechanism, loads: Loads, low: float, high: float) -> Words:
     drive, name = mech.drive, loads.constant.name if loads.constant is not None else "M"
-    a, b = (f"{1e3 * x:.4g} mm" if drive.slide else f"{np.degrees(x - drive.lead):.4g}°" for x in (low, high))
+    a, b = (f"{1e3 * x:.4g} mm" if drive.slide else f"{np.degrees(drive.told(x)):.4g}°" for x in (low, high))
     return Words(
         f"{name} 为一周期内的常数，而原动件 {drive.link} 不作整周运动（只能在 {a} 至 {b} 之间），没有周期；"
         '请写 size: "?" 求该位置的平衡力矩',
