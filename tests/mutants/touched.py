@@ -12,13 +12,13 @@ import functools
 import gc
 import json
 import signal
-import sys
 import time
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
+from cProfile import Profile
 from dataclasses import dataclass
 from pathlib import Path
-from types import CodeType, FrameType
+from types import CodeType
 from typing import Any
 
 import pytest
@@ -39,29 +39,26 @@ class Listener:
     """A plugin of pytest that keeps, for each test, the functions of the program that were called,
     and how long it took."""
 
-    def __init__(self, write: Callable[[Listener], None]) -> None:
-        self.write = write
+    def __init__(self, write: Callable[[Listener], None], few: bool) -> None:
+        self.write, self.few = write, few
         self.calls: dict[str, set[str]] = defaultdict(set)
         self.seconds: dict[str, float] = {}
         self._file = ""
-        self._now: set[tuple[str, str]] = set()
         self._written = time.monotonic()
-        self._met: dict[
-            int, CodeType
-        ] = {}  # by identity, for comparing code is slow; kept, so that no identity is used twice
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
-        self._now, self._met = set(), {}
         if self._turned(item.nodeid.split("::")[0]):
             forget()
+        ear = Profile(subcalls=False, builtins=False)
         started = time.process_time()
-        sys.settrace(self._called)
+        ear.enable()
         yield
-        sys.settrace(None)
+        ear.disable()
         self.seconds[item.nodeid] = time.process_time() - started
-        for path, name in self._now:
-            self.calls[f"{Path(path).relative_to(ROOT)}:{name}"].add(item.nodeid)
+        for code in (entry.code for entry in ear.getstats()):
+            if isinstance(code, CodeType) and code.co_filename.startswith(_HOUSE):
+                self.calls[f"{Path(code.co_filename).relative_to(ROOT)}:{code.co_qualname}"].add(item.nodeid)
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_pyfunc_call(self) -> Iterator[None]:
@@ -71,12 +68,13 @@ class Listener:
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """A few parameters of every test first, so that the map soon knows all of the program a little;
-        then the others."""
+        then the others, unless a few do."""
         alike: dict[str, list[pytest.Item]] = defaultdict(list)
         for item in items:
             alike[item.nodeid.split("[")[0]].append(item)
         first = {id(item) for group in alike.values() for item in group[:: max(1, len(group) // _SAMPLE)]}
         items.sort(key=lambda item: id(item) not in first)
+        del items[len(first) if self.few else len(items) :]
 
     def pytest_sessionfinish(self) -> None:
         self.write(self)
@@ -88,13 +86,6 @@ class Listener:
             self.write(self)
             self._written = time.monotonic()
         return turned
-
-    def _called(self, frame: FrameType, _event: str, _arg: Any) -> None:
-        code = frame.f_code
-        if id(code) not in self._met:
-            self._met[id(code)] = code
-            if code.co_filename.startswith(_HOUSE):
-                self._now.add((code.co_filename, code.co_qualname))
 
 
 def keepers() -> list[functools._lru_cache_wrapper[Any]]:
@@ -109,8 +100,9 @@ def forget(known: Sequence[functools._lru_cache_wrapper[Any]] = ()) -> None:
         kept.cache_clear()
 
 
-def listen(*files: str) -> None:
-    """Run these test files (all, where none is named) and write what they call into the map."""
+def listen(*files: str, few: bool = False) -> None:
+    """Run these test files (all, where none is named) and write what they call into the map; few: a few parameters
+    of every test."""
     calls, seconds = _kept(files) if files else ({}, {})
 
     def write(heard: Listener) -> None:
@@ -123,7 +115,7 @@ def listen(*files: str) -> None:
     signal.signal(signal.SIGVTALRM, lambda *_: pytest.skip("it takes too long"))
     pytest.main(
         ["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [*_BLIND, str(ROOT / "tests")])],
-        plugins=[Listener(write)],
+        plugins=[Listener(write, few)],
     )
 
 
