@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import functools
 import gc
+import importlib
 import json
+import pkgutil
 import signal
 import time
 from collections import defaultdict
@@ -23,6 +25,8 @@ from typing import Any
 
 import pytest
 
+import vecpoly
+
 ROOT = Path(__file__).resolve().parents[2]
 MAP = ROOT / "out" / "mutants.json"
 _SAMPLE = 3  # parameters of a test that are listened to first
@@ -32,6 +36,7 @@ _BLIND = [
     f"--ignore={ROOT}/tests/{name}.py"
     for name in ("player/test_player_browser", "cli/test_cli_process", "house/test_package", "generated/test_fuzz")
 ]  # they start other processes, which have no slip
+_LATE = ("ezdxf", "matplotlib.pyplot", "openpyxl", "pandas", "scipy.integrate", "scipy.optimize", "scipy.spatial")
 _HOUSE = str(ROOT / "vecpoly")
 
 
@@ -88,6 +93,15 @@ class Listener:
         return turned
 
 
+def awake() -> None:
+    """Import every part of the program, and the libraries that it imports late: a test that is broken off in the midst
+    of an import would spoil all that come after it."""
+    for part in pkgutil.walk_packages(vecpoly.__path__, "vecpoly."):
+        importlib.import_module(part.name)
+    for library in _LATE:
+        importlib.import_module(library)
+
+
 def keepers() -> list[functools._lru_cache_wrapper[Any]]:
     """All functions that keep their results."""
     gc.unfreeze()  # what conftest.py has set aside is not listed
@@ -112,6 +126,7 @@ def listen(*files: str, few: bool = False) -> None:
         MAP.parent.mkdir(exist_ok=True)
         MAP.write_text(json.dumps({"calls": known, "seconds": seconds | heard.seconds}), encoding="utf-8")
 
+    awake()
     signal.signal(signal.SIGVTALRM, lambda *_: pytest.skip("it takes too long"))
     pytest.main(
         ["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [*_BLIND, str(ROOT / "tests")])],

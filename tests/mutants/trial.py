@@ -9,9 +9,7 @@ and a test that starts another process does not see any.
 from __future__ import annotations
 
 import gc
-import importlib
 import os
-import pkgutil
 import signal
 import sys
 import time
@@ -26,10 +24,8 @@ from typing import Any
 import pytest
 from _pytest.runner import runtestprotocol
 
-import vecpoly
-
 from .slips import Mutant
-from .touched import ROOT, forget, keepers
+from .touched import ROOT, awake, forget, keepers
 
 _PARTLY = (
     "-o",
@@ -93,8 +89,7 @@ def try_all(
 
 def _functions() -> dict[tuple[str, str], list[FunctionType]]:
     """Every living function of the program by file and qualified name; a part that is imported late is imported now."""
-    for part in pkgutil.walk_packages(vecpoly.__path__, "vecpoly."):
-        importlib.import_module(part.name)
+    awake()
     gc.unfreeze()  # what conftest.py has set aside is not listed
     found: dict[tuple[str, str], list[FunctionType]] = {}
     for thing in gc.get_objects():
