@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 
+import pypdfium2
 import pytest
 
 from tests.laws import few
-from tests.projects import pages, project
+from tests.projects import pages, printed, project
 from vecpoly.answer import YES_NO
 from vecpoly.printed.digits import drawn_number
 from vecpoly.report.answers.line import result_of
+from vecpoly.report.flow.blocks import spoken
 from vecpoly.report.project.binder import amount
 from vecpoly.words import Lang
 
@@ -61,6 +63,18 @@ def test_every_sheet_of_the_appendix_is_referred_to_in_the_text(name: str, lang:
     word = "图" if lang == "zh" else "Figure"
     for number in range(1, len(drawn) + 1):
         assert any(f"{word} A-{number}" in " ".join(page.split()) for page in text), number
+
+
+@pytest.mark.parametrize(("name", "lang"), BOTH)
+def test_every_bookmark_of_a_sheet_tells_its_number_what_it_draws_and_in_which_position(name: str, lang: Lang) -> None:
+    with pypdfium2.PdfDocument(printed(name, lang)) as document:
+        titles = [one.get_title() for one in document.get_toc()]
+    sheets = [title for title in titles if re.match("图 A-|Figure A-", title)]
+    moving = next(part for part in project(name).parts if part.moves)
+    for at in moving.positions:
+        where, title = spoken(moving.study.where(at.phi)), moving.problem.title.of(lang)
+        assert any(where in one and title in one for one in sheets), (where, sheets)
+    assert len(set(sheets)) == len(sheets) == sum(1 for page in pages(name, lang) if SHEET.search(page))
 
 
 @pytest.mark.parametrize("name", ENGLISH)

@@ -23,8 +23,10 @@ APPENDIX = "A"  # where the sheets are bound
 
 @dataclass(frozen=True, kw_only=True)
 class Drawn:
-    """One drawing: where (empty but for a mechanism), its solution, the numbers of its sheets."""
+    """One drawing: its title, which ends with the position; the position alone (empty but for a mechanism); its
+    solution; its sheets and their numbers."""
 
+    title: Words
     where: str
     solution: Solution
     sheets: tuple[Sheet, ...]
@@ -73,7 +75,7 @@ def _at(study: Study, phi: float, solution: Solution, press: Press) -> Drawn:
 def _one(solution: Solution, title: Words, where: str, press: Press) -> Drawn:
     bare = sheets(solution.construction, lang=press.lang, title=title, on=solution.problem.paper, plates=True)
     made = tuple(with_legend(sheet) for sheet in bare)
-    return Drawn(where=where, solution=solution, sheets=made, names=tuple(press.sheet() for _ in made))
+    return Drawn(title=title, where=where, solution=solution, sheets=made, names=tuple(press.sheet() for _ in made))
 
 
 def pages(binder: Binder) -> list[str]:
@@ -92,10 +94,8 @@ def pages(binder: Binder) -> list[str]:
 
 
 def _page(sheet: Sheet, drawn: Drawn, name: Words, lang: Lang) -> SheetPage | Plate:
-    gap = Words("　", ": ")
-    title = (name + gap + drawn.solution.problem.title).of(lang)
-    said = spoken(f"{title}（{drawn.where}）" if drawn.where and lang == "zh" else f"{title} {drawn.where}".rstrip())
-    return sheet_page(sheet, drawn.solution.construction, said)
+    title = name + Words("　", ": ") + drawn.title
+    return sheet_page(sheet, drawn.solution.construction, spoken(title.of(lang)))
 
 
 def amount(value: Amount, digits: int = 4) -> str:
