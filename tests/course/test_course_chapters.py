@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from pypdf import PdfReader
 
 from tests.laws import few
-from tests.studies import course_report, studied, words_of
+from tests.studies import course_report, course_words, studied, words_of
 from tests.texts import CLASS_III
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
@@ -29,6 +29,7 @@ from vecpoly.findings.study.from_pivots import from_pivots
 from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load, loads
 from vecpoly.report.content import Objects
+from vecpoly.report.course.appendix import own_slides
 from vecpoly.report.course.checks.chapter import _checked, _told
 from vecpoly.report.course.modelling import formulas
 from vecpoly.report.course.modelling.dimensions import rounded
@@ -227,6 +228,15 @@ def test_a_sliding_motion_has_one_symbol_in_the_model_and_in_the_tables(name: st
         assert np.allclose(np.asarray(it.env[column.symbol]), it.turn.real(column.key), rtol=1e-9, atol=1e-9), (
             column.symbol
         )
+
+
+@pytest.mark.parametrize("name", ["3-14", "oldham-coupling"])
+def test_a_sliding_motion_that_is_told_from_the_other_link_than_in_the_model_is_said_to_be(name: str) -> None:
+    """s_23 of the appendix stood nowhere in chapter 4, where it was s_32."""
+    it, (said, _) = studied(name), course_words(name, "en")
+    for key in own_slides(it):
+        shown, pair = it.whole.info(key).symbol, key[2:]
+        assert shown in it.env or f"${shown}$ = $−s_{{{pair[::-1]}}}$ of chapter 4" in said, shown
 
 
 def test_one_quantity_has_the_same_decimals_in_all_columns_of_a_table() -> None:

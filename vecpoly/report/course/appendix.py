@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ...cycle.columns import slides
 from ...findings.study.study import Study
 from ...names import subscripted
 from ...words import Words, joined
@@ -32,7 +33,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
         "file": press.objects.add("listing", Listing(in_one_language(text, press.lang))) if text else "",
         "several": "extends:" in text,
         "tables": tables,
-        "same": "".join(words.of(press.lang) for words in (_as_points(study), *halves)),
+        "same": "".join(words.of(press.lang) for words in (_as_points(study), *_reversed(study), *halves)),
         "sparse": every > 1,
     }
 
@@ -99,6 +100,28 @@ def _as_points(study: Study) -> Words:
         f"{'、'.join(pairs)}，相应的速度、加速度也相同，不另列。",
         f"{', '.join(pairs)}, with the velocities and accelerations of chapter 5. ",
     )
+
+
+def _reversed(study: Study) -> Iterator[Words]:
+    """That a sliding motion of these tables is one of chapter 4 told from the other link: $s_{23}$ = $−s_{32}$."""
+    joints = slides(study.mech)
+    for key in own_slides(study):
+        joint, shown = joints[key[2:]], study.whole.info(key).symbol
+        back = f"{study.mech.number(joint.guide)}{study.mech.number(joint.block)}"
+        alike = [stem for stem in "sva" if _is_opposite(study, f"{stem}_{key[2:]}", f"{stem}_{{{back}}}")]
+        if shown in study.env or "v" not in alike:
+            continue
+        first = alike[0]
+        told = f"${first}{shown[1:]}$ = $−{first}_{{{back}}}$"
+        yield Words(
+            f"{told}（第 4 章），{'速度、加速度亦' if first == 's' else '加速度亦'}反号。",
+            f"{told} of chapter 4, {'velocity and acceleration' if first == 's' else 'the acceleration'} likewise. ",
+        )
+
+
+def _is_opposite(study: Study, key: str, symbol: str) -> bool:
+    own, other = study.turn.real(key), study.env.get(symbol)
+    return other is not None and bool(np.allclose(own, -np.asarray(other), rtol=1e-9, atol=1e-9, equal_nan=True))
 
 
 def _title(study: Study, keys: list[str], slides: bool) -> Words:

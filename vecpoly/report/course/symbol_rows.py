@@ -52,10 +52,10 @@ def model(study: Study) -> Iterator[Row]:
     letter = next(iter(study.points), "")
     if letter:
         yield from _point(letter)
-    slides = (c.key[2:] for c in study.whole.columns if c.key.startswith("s_"))
+    slides = [c.key[2:] for c in study.whole.columns if c.key.startswith("s_")]
     used = {*constants, *study.env}
     if pair := next((pair for pair in slides if f"s_{{{pair}}}" in used), ""):
-        yield from _slide(pair)
+        yield from _slide(pair, alone=len(slides) == 1)
     beta = next((c for c in constants if c.startswith("β_")), "")
     if beta:
         end = subscripted(beta[3:-1])
@@ -81,11 +81,12 @@ def _point(letter: str) -> Iterator[Row]:
         )
 
 
-def _slide(pair: str) -> Iterator[Row]:
+def _slide(pair: str, *, alone: bool) -> Iterator[Row]:
     one, along = pair[:1], pair[1:]
+    rest = Words("", "") if alone else Words("，余类推", ", and so on")
     yield (
         f"$s_{{{pair}}}$",
-        Words(f"构件 {one} 沿构件 {along} 的滑移", f"sliding of link {one} along link {along}"),
+        Words(f"构件 {one} 沿构件 {along} 的滑移", f"sliding of link {one} along link {along}") + rest,
         "mm",
     )
     for stem, zh, en, unit in (("v", "速度", "velocity", "m/s"), ("a", "加速度", "acceleration", "m/s²")):
