@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...board.construction import Figure, View
 from ...board.paper.marks import Arc, GearMark, Mark, Point, RackMark, Role, Segment
+from ...board.paper.titled import ALONG_AXIS, CRANKSHAFT, SUMS_OF_LENGTHS
 from ...words import Words
 from .kind import Kind
 from .letters import is_of_cam, is_of_curvature, is_of_gear
@@ -38,9 +39,9 @@ def _seen(*names: str) -> Met:
     return lambda figure, _: figure.view.name in names
 
 
-def _titled(title: str) -> Met:
+def _titled(title: Words) -> Met:
     """Whether it stands on the figure of this title."""
-    return lambda figure, _: figure.title.zh == title
+    return lambda figure, _: figure.title == title
 
 
 def _on(*names: str) -> Met:
@@ -75,7 +76,7 @@ def _on_images(figure: Figure, _: Mark) -> bool:
 
 
 def _on_rotor(figure: Figure, _: Mark) -> bool:
-    return of_rotor(figure) or figure.title.zh == "轴向简图"
+    return of_rotor(figure) or figure.title == ALONG_AXIS
 
 
 def _through(label: str) -> Met:
@@ -126,7 +127,7 @@ FINE = tuple(
     _each(
         imagined,
         ("代换高副的构件", "link in place of a contact", _of("joint")),
-        ("中间平面", "middle plane", _titled("曲轴轴向简图")),
+        ("中间平面", "middle plane", _titled(CRANKSHAFT)),
         ("会交的力作用线", "lines of action that meet", _on_body),
         ("延长线、辅助线", "extended or auxiliary line", _any),
     )
@@ -138,7 +139,7 @@ THIN = tuple(
         ("转子的轮廓", "outline of the rotor", _on_rotor),
         ("齿条的齿廓", "flank of the rack", _on_gear),
         ("传动带、绳", "belt, rope", _on("train")),
-        ("反向截取的杆长", "length laid off backwards", _titled("杆长之和")),
+        ("反向截取的杆长", "length laid off backwards", _titled(SUMS_OF_LENGTHS)),
         ("支承环面", "bearing ring", _on("collar")),
         ("选定的曲柄线", "crank line that is kept", _on("trial cranks")),
         ("自变量的区间", "range of the variable", _on("precision points")),

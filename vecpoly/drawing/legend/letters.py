@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from ...board.construction import Figure, View
 from ...board.paper.marks import Dot, Mark, Point, Vector
+from ...board.paper.titled import CURVATURES, SMALLER_CURVATURES
 from ...foundation.slotted import dataclass
 from ...typeset import layout_words
 from ...words import Lang, Words
@@ -83,7 +84,7 @@ def _sample(names: Sequence[str]) -> TextBox:
 
 def is_of_curvature(figure: Figure) -> bool:
     """Whether curvatures are constructed on it; of their points some may stand on the reduced figure beside it."""
-    return figure.view is View.MECHANISM and figure.title.zh.startswith("曲率作图")
+    return figure.view is View.MECHANISM and figure.title in (CURVATURES, SMALLER_CURVATURES)
 
 
 def _motion(figure: Figure) -> bool:

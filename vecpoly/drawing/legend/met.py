@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from ...board.construction import Figure, View
 from ...board.paper.marks import Arc, Curve, Disc, Dot, Lump, Mark, Outline, Plate, Point, Role, Segment, Vector
+from ...board.paper.titled import ALONG_AXIS, SYNTHESIS
 from .letters import is_of_cam, is_of_curvature
 
 _PLACES = ("alpha_rise", "alpha_return", "rho_min")  # of a cam, each with a figure of its own
@@ -58,19 +59,18 @@ def imagined(figure: Figure, mark: Mark) -> bool:
     """Whether it is dashed and fine, and none of what the other kinds have."""
     if not _fine(mark) or in_centre_polygon(figure) or of_rotor(figure):
         return False
-    taken = in_axial_view(figure, mark) or to_counterweight(figure, mark)
-    return not taken and not _of_linkages(figure)
+    return not (in_axial_view(figure, mark) or to_counterweight(figure, mark) or _of_linkages(figure))
 
 
 def _of_linkages(figure: Figure) -> bool:
     """Whether it is the sheet on which a linkage is found, or has one in several positions."""
-    several = any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
-    return several or figure.title.zh.startswith("机构的综合")
+    solution = figure.title.zh.startswith(SYNTHESIS.zh)  # of several each has its number behind the title
+    return solution or any(getattr(one, "role", None) is Role.OTHER for one in figure.marks)
 
 
 def in_axial_view(figure: Figure, mark: Mark) -> bool:
     """Whether it is a plane of a rotor that is seen from its side."""
-    return _fine(mark) and figure.title.zh == "轴向简图"
+    return _fine(mark) and figure.title == ALONG_AXIS
 
 
 def to_counterweight(figure: Figure, mark: Mark) -> bool:
@@ -207,7 +207,7 @@ def is_lump(*kinds: Lump) -> Met:
 
 def is_added(figure: Figure, mark: Mark) -> bool:
     """Whether it is a mass that is added to a rotor."""
-    return (of_rotor(figure) or figure.title.zh == "轴向简图") and traced(Role.RESULT, Arc)(figure, mark)
+    return (of_rotor(figure) or figure.title == ALONG_AXIS) and traced(Role.RESULT, Arc)(figure, mark)
 
 
 def is_void(figure: Figure, mark: Mark) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from ...board.construction import View
 from ...board.paper.extent import bounds
+from ...board.paper.titled import CURVATURES, SMALLER_CURVATURES
 from ...errors import DeadPointError, NoMethodError, NotAskedError
 from ...mechanism.asked.curvature import (
     Way,
@@ -33,7 +34,7 @@ from .pairs import rolling_of
 from .path import draw_paths
 from .readings import read_collineation, read_curvatures
 from .refused import off_the_sheet
-from .room import FAR, FAR_TITLE, LEAST, NAME, TITLE, Draw, Room, Wanted, room_for
+from .room import FAR, LEAST, NAME, Draw, Room, Wanted, room_for
 from .state import CurvatureFigure
 from .strokes.ball import draw_ball_point
 from .strokes.circle import draw_return_circle
@@ -97,10 +98,10 @@ def _opened(desk: Desk, problem: Problem, groups: Sequence[Group], draw: Draw) -
     room = room_for(want)
     if room is None:
         raise off_the_sheet(want)
-    pane = opened(board, NAME, TITLE, room.paper, once=is_once(problem))
+    pane = opened(board, NAME, CURVATURES, room.paper, once=is_once(problem))
     fig = CurvatureFigure(desk=desk, link=asked.link, pane=pane, factor=room.paper.factor)
     if (second := room.second) is not None:
-        far = board.open_pane(View.MECHANISM, FAR, FAR_TITLE, second.scale, aside=True, composed=True)
+        far = board.open_pane(View.MECHANISM, FAR, SMALLER_CURVATURES, second.scale, aside=True, composed=True)
         fig.off = room.off(far)
     if pane is not View.MECHANISM:
         _copy(fig, room.paper, groups)

@@ -7,17 +7,15 @@ from collections.abc import Callable, Mapping
 from ...board.construction import View
 from ...board.paper.extent import bounds, box_of
 from ...board.paper.scales import HALF, SERIES, round_up
+from ...board.paper.titled import CURVATURES
 from ...board.place import Pane, Place
 from ...foundation.slotted import dataclass, replace
 from ...plane import Points, nominal
-from ...words import Words
 from ..centres.size import MARGIN, Paper, apart, is_shared, too_large
 from ..desk import Desk
 from .state import CurvatureFigure, Off
 
 NAME, FAR = "curvature", "curvature-far"
-TITLE = Words("曲率作图", "Curvatures")
-FAR_TITLE = Words("曲率作图（缩小）", "Curvatures, reduced")
 LEAST = 22.0  # mm that the mechanism must measure on the figure, for its links to be told apart
 AMPLE = 2.4  # times as large the mechanism is on the first of two figures, where this can be
 GROWN = 0.1  # of the box of what lies on the first figure: lines that end so near beyond it stay on it
@@ -124,8 +122,8 @@ def sketched(want: Wanted, room: Room | None = None) -> CurvatureFigure:
     desk = want.desk
     at: dict[str, Points] = {name: complex(nominal(spot)) for name, spot in desk.at.items()}
     sketch = replace(desk, board=desk.board.scratch(), at=at)
-    pane = sketch.board.open_pane(View.MECHANISM, NAME, TITLE, aside=True)
-    off = None if room is None else room.off(sketch.board.open_pane(View.MECHANISM, FAR, TITLE, aside=True))
+    pane = sketch.board.open_pane(View.MECHANISM, NAME, CURVATURES, aside=True)
+    off = None if room is None else room.off(sketch.board.open_pane(View.MECHANISM, FAR, CURVATURES, aside=True))
     fig = CurvatureFigure(desk=sketch, link=want.link, pane=pane, factor=1.0, off=off)
     want.draw(fig)
     return fig

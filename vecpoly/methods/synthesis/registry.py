@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, Never, TypeVar, cast
 
+from ...board.paper.titled import SYNTHESIS
 from ...designs.base import Design
 from ...errors import NoMethodError
 from ...foundation.plugins import load_modules
@@ -33,11 +34,8 @@ AnyDesign = DesignMethod[Never]
 _METHODS: dict[type[Design], AnyDesign] = {}
 
 
-SHEET = Words("机构的综合", "Synthesis of the linkage")
-
-
 def design_method(
-    design: type[D], *, title: Words, source: str, example: str, sheet: Words = SHEET
+    design: type[D], *, title: Words, source: str, example: str, sheet: Words = SYNTHESIS
 ) -> Callable[[Draw[D]], Draw[D]]:
     """Register the construction of a task of synthesis; raises ValueError where it has one.
 

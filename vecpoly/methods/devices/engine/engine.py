@@ -7,6 +7,7 @@ from math import degrees
 
 from ....algebra.quantity import Expr, Quantity, magnitude
 from ....board.construction import Scale, View
+from ....board.paper.titled import CRANKSHAFT
 from ....board.place import view_named
 from ....devices.balancing.engine import ORDERS, RATIO, InlineEngine, of_order
 from ....names import Named
@@ -49,7 +50,7 @@ def _unit(laid: Laid) -> complex:
     source="机械原理, balance of multi-cylinder engines: polygons of first and second order",
     example="engine-three",
     scales=engine_scales,
-    called=Words("曲轴轴向简图", "The crankshaft along its axis"),
+    called=CRANKSHAFT,
 )
 def draw_engine(bench: Bench, engine: InlineEngine) -> None:
     """The crankshaft, λ, then for both orders the polygon of forces and that of couples."""

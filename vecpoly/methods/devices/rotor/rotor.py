@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ....board.paper.titled import ALONG_AXIS
 from ....devices.balancing.rotor import Rotor
 from ....words import Words
 from ..bench import Bench
@@ -20,7 +21,7 @@ from .views.sketch import sketch
     source="机械原理, balance of rotors: mass–radius polygons, two planes, Dalby's couple polygon, ISO 21940-11",
     example="6-4",
     scales=rotor_scales,
-    called=Words("轴向简图", "The rotor along its axis"),
+    called=ALONG_AXIS,
 )
 def draw_rotor(bench: Bench, rotor: Rotor) -> None:
     """Static in one plane, dynamic in two, or by the masses that are sought."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Dot, Role
+from ....board.paper.titled import SUMS_OF_LENGTHS
 from ....designs.grashof import ENDS, LEAST, MIDDLE, MOST, Grashof
 from ....designs.quantities import FOUR_BAR
 from ....designs.verdict import Verdict
@@ -20,7 +21,7 @@ ROW, SHIFT = 16.0, 4.0  # mm: from line to line; a length that is laid off backw
     Grashof,
     title=Words("曲柄存在条件和机架变换", "Grashof condition and inversions of the chain"),
     source="机械原理, Grashof's condition",
-    sheet=Words("杆长之和", "Sums of lengths"),
+    sheet=SUMS_OF_LENGTHS,
     example="8-1",
 )
 def draw_grashof(draft: Draft, design: Grashof) -> None:
