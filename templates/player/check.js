@@ -16,9 +16,9 @@ const check = {
   read(text) {
     const turned = /[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*([+-]?\d+(?:\.\d+)?)\s*(?:°|deg|度)?\s*$/i;
     const whole = text.normalize("NFKC").trim().replace(/[−–]/g, "-"), behind = turned.exec(whole), wind = behind ? null : check.wind(whole);
-    const plain = (wind ? wind.before : whole.replace(turned, "")).replace(/°$/, "").trim().replace(/\s*[×x*]\s*10\^?\s*([-+]?\d+)$/, "e$1").replace(/^([-+]?\d+),(\d+)$/, "$1.$2");
+    const plain = (wind ? wind.before : whole.replace(turned, "")).replace(/°$/, "").trim().replace(/\s*[×x*·]\s*10(0*)$/, (_, zeros) => `e${1 + zeros.length}`).replace(/\s*[×x*·]\s*10\^?\s*[({]?([-+]?\d+)[)}]?$/, "e$1").replace(/^([-+]?\d+),(\d+)$/, "$1.$2");
     const found = /^([-+]?)(\d*)(?:\.(\d*))?(?:e([-+]?\d+))?$/i.exec(plain);
-    if (!found || !(found[2] || found[3])) return null;
+    if (!found || !(found[2] || found[3]) || !Number.isFinite(Number(plain))) return null;
     const half = 0.5 * 10 ** ((+found[4] || 0) - (found[3] || "").length);
     const direction = behind ? Number(behind[1]) : wind ? wind.degrees : null;
     return { value: Number(plain), signed: found[1] !== "", half, direction, around: wind ? wind.reach : 0 };

@@ -260,7 +260,17 @@ def test_a_profile_gives_the_columns_of_another_platform_and_guards_formulas(
         read_profile(file)
 
 
+def test_a_value_below_zero_is_no_formula_of_a_student(done: tuple[Path, Register]) -> None:
+    """'-43 mm stood in the table."""
+    first = done[1].sheets[0]
+    part = replace(first.parts[0], values={"x_C": "-43 mm"})
+    below = replace(done[1], sheets=(replace(first, parts=(part,)),))
+    profile = Profile(file="x.csv", columns=(ColumnOf(head="x", holds=f"{part.problem}:x_C"),))
+    assert table_bytes(below, profile).decode("utf-8-sig").splitlines() == ["x", "-43 mm"]
+
+
 SPOILT = {
+    "file: x.csv\ncolumns: [{head: a, holds: name, text: b}]": ("只留一个", "has holds and text; leave one of them"),
     "file: x.csv\ncolumns: [{heat: a}]": ("columns.0.heat: 未知的键“heat”", "unknown key 'heat'; did you mean 'head'?"),
     "file: x.csv\ncolumns: 5": ("columns: 此处应为列表", "columns: a list is expected here"),
     "file: x.xlsx\ncolumns: [{head: a}]": ("“x.xlsx”不是文件名", "'x.xlsx' is no name of the file"),

@@ -121,6 +121,12 @@ def test_what_a_head_says_aside_does_not_hide_a_column(tmp_path: Path, head: str
     assert found.students == TWO and not found.nameless
 
 
+def test_where_no_row_can_be_read_the_first_reason_is_told(tmp_path: Path) -> None:
+    """It was said that there are no students."""
+    with pytest.raises(RosterError, match=r"none of 2 rows can be read; first, .*line 2, column 1.*of over 50"):
+        read_roster(roster(tmp_path, f"学号,姓名\n2024001,{'a' * 60}\n2024002,\n".encode()))
+
+
 def test_a_roster_without_names_says_so(tmp_path: Path) -> None:
     assert read_roster(roster(tmp_path, "学号,电话\n1,2\n".encode())).nameless
 

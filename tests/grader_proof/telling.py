@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from tests.grader_proof.judge import Trial
+from tests.grader_proof.students import Cells
 from vecpoly.board.otherwise.slip import Slip
 from vecpoly.grading.key import Graded, Kind
 from vecpoly.grading.slips.mutants import Mutant, Value
@@ -27,9 +30,14 @@ def shows(trial: Trial, mutant: Mutant) -> bool:
     return False
 
 
-def distinct(trial: Trial, mutant: Mutant) -> bool:
+def as_written(mutant: Mutant, cells: Cells) -> Mutant:
+    """What the mistake moves of a sheet: a length that vanishes by it is on nobody's."""
+    return replace(mutant, values={name: value for name, value in mutant.values.items() if name in cells})
+
+
+def distinct(trial: Trial, mutant: Mutant, cells: Cells) -> bool:
     """Whether it can be told from every other, and from right work, by sizes and senses, as those who make it write
-    them; and shows in more than one sense."""
+    them; and shows in more than one sense. mutant: as far as it moves what is written."""
     sizes = [name for name, value in mutant.values.items() if _far(trial, name, value) and _clear(trial, name, mutant)]
     senses = [
         name
@@ -39,7 +47,7 @@ def distinct(trial: Trial, mutant: Mutant) -> bool:
     if not sizes and len(senses) < 2:
         return False
     others = [one for one in trial.mutants if one.slip != mutant.slip]
-    return not any(alike(trial, one.slip, mutant) or _blurred(trial, one, mutant) for one in others)
+    return not any(alike(trial, one.slip, mutant, cells) or _blurred(trial, one, mutant, cells) for one in others)
 
 
 def _clear(trial: Trial, name: str, mutant: Mutant) -> bool:
@@ -48,10 +56,9 @@ def _clear(trial: Trial, name: str, mutant: Mutant) -> bool:
     return _between(one, mutant.values[name], _right(one)) > mutated(one, mutant, rule).allowed
 
 
-def _blurred(trial: Trial, first: Mutant, second: Mutant) -> bool:
+def _blurred(trial: Trial, first: Mutant, second: Mutant, cells: Cells) -> bool:
     """Whether nothing that is written differs by more than what both scatter by."""
-    written = (one for one in trial.key.quantities if one.asked or one.kind is Kind.READING)
-    return not any(_apart(trial, one, first, second) for one in written)
+    return not any(_apart(trial, one, first, second) for one in trial.key.quantities if one.key in cells)
 
 
 def _apart(trial: Trial, one: Graded, first: Mutant, second: Mutant) -> bool:
@@ -76,13 +83,13 @@ def _between(one: Graded, first: Value, second: Value) -> float:
     return abs(abs(first.value) - abs(second.value))
 
 
-def alike(trial: Trial, slip: Slip, other: Mutant) -> bool:
+def alike(trial: Trial, slip: Slip, other: Mutant, cells: Cells) -> bool:
     """Whether a named slip is the one, or gives the same sizes on this sheet."""
     if slip == other.slip:
         return True
     mine = next(one for one in trial.mutants if one.slip == slip)
     for one in trial.key.quantities:
-        if one.asked or one.kind is Kind.READING:
+        if one.key in cells:
             first, second = mine.value_of(one), other.value_of(one)
             if _between(one, first, second) > 2 * one.allowed:
                 return False

@@ -9,7 +9,7 @@ import numpy as np
 
 from tests.grader_proof.judge import Tally, Trial, apart, named
 from tests.grader_proof.students import Cells, Class, drawn_class, times
-from tests.grader_proof.telling import alike, distinct, shows
+from tests.grader_proof.telling import alike, as_written, distinct, shows
 from vecpoly import Problem
 from vecpoly.board.otherwise.amended import Amended
 from vecpoly.board.otherwise.slip import Slip
@@ -54,13 +54,14 @@ def single_slips(trial: Trial, count: int, seed: int) -> Iterator[tuple[Slip, Ta
             continue  # nobody's figure closes: such a sheet has no numbers
         for student in range(each):
             cells = group.sheet(student, rng)
-            if not _complete(cells, trial):
+            mine = as_written(mutant, cells)
+            if not _complete(cells, trial) or not shows(trial, mine):
                 continue
             sheet, tally = trial.mark(cells), Tally()
             tally.add("single slips caught", bool(sheet.roots))
             told = named(trial, sheet)
-            kind = "single slips" if distinct(trial, mutant) else "slips that nothing tells apart:"
-            rightly = any(alike(trial, one, mutant) for one in told)
+            kind = "single slips" if distinct(trial, mine, cells) else "slips that nothing tells apart:"
+            rightly = any(alike(trial, one, mine, cells) for one in told)
             tally.add(f"{kind} named rightly", rightly)
             tally.add("single slips named as another", bool(told) and not rightly)
             yield slip, tally
@@ -91,7 +92,7 @@ def two_slips(trial: Trial, count: int, seed: int) -> Iterator[Tally]:
         sheet, tally = trial.mark(cells), Tally()
         tally.add("two slips caught", bool(sheet.roots))
         told = named(trial, sheet)
-        rightly = any(alike(trial, one, each) for one in told for each in (first, second))
+        rightly = any(alike(trial, one, each, cells) for one in told for each in (first, second))
         tally.add("two slips: one of them named", rightly)
         wrong = bool(told) and not rightly
         tally.add("two slips: a third named", wrong)

@@ -10,7 +10,7 @@ from tests.grading.cases import key_of, marked
 from tests.grading.test_diagnosis import right
 from vecpoly.grading.compare.outcome import Outcome
 from vecpoly.grading.equations.ticks import shown, ticks
-from vecpoly.grading.key import AnswerKey
+from vecpoly.grading.key import AnswerKey, Kind
 from vecpoly.grading.rules import Rules
 from vecpoly.grading.student import check_answers
 from vecpoly.words import Words
@@ -70,6 +70,16 @@ def test_what_is_no_row_of_so_many_terms_waits_for_a_person(raw: str) -> None:
     sheet = marked("golden", filled("golden", eq1_size=raw))
     (doubt,) = sheet.doubts
     assert doubt[0].en == "equation 1, magnitude" and sheet.waiting >= 1
+
+
+def test_a_length_that_is_typed_in_costs_nothing_where_numbers_alone_do_not_do() -> None:
+    """The points of its line stand with it; they were taken for its accuracy marks."""
+    key, cells = key_of("golden"), right("golden")
+    vectors = [one for one in key.quantities if one.asked and one.line and one.kind is Kind.VECTOR]
+    typed = {one.line: f"{one.mm:.1f}" for one in vectors if one.mm}
+    assert typed and marked("golden", cells | typed, STRICT).exactly == pytest.approx(
+        marked("golden", cells, STRICT).exactly
+    )
 
 
 def test_without_its_equation_a_number_keeps_its_accuracy_mark_only_where_the_rules_let_it() -> None:

@@ -65,6 +65,11 @@ WIDE = str.maketrans("0123456789.-+ ", "０１２３４５６７８９．－＋�
         ("0.5m.s-1", 0.5),
         ("4.7/s", 4.7),
         ("4.7/s²", 4.7),
+        ("0.0331×100", 3.31),
+        ("0.331×10 1/s", 3.31),
+        ("331×10^{-2} rad/s", 3.31),
+        ("0.00331×103", 3.31),
+        ("33.1×10⁻¹", 3.31),
     ],
 )
 def test_a_number_with_its_unit_is_read_however_it_is_written(text: str, si: float) -> None:
@@ -116,6 +121,9 @@ def test_any_way_to_write_a_number_goes_with_any_way_to_write_a_unit(
         ("12 anticlockwise", 1),
         ("12 clockwise", -1),
         ("12, 方向：顺时针方向", -1),
+        ("12，逆时针转动", 1),
+        ("12 rad/s 顺时针方向转动", -1),
+        ("12 順時針", -1),
         ("12", 0),
         ("-12 顺", -1),
     ],
@@ -198,6 +206,13 @@ def test_blank_is_not_zero_and_neither_is_a_dash() -> None:
     assert written("0").state is State.READ and written(0.0).value == 0 and written("0").digits == 0
 
 
+@pytest.mark.parametrize(("text", "factor"), [("12 逆时针转", 1.0), ("12 顺转", 1.0), ("12 逆时针 转/分", pi / 30)])
+def test_that_something_turns_is_no_unit_beside_its_sense(text: str, factor: float) -> None:
+    """逆时针转 was a number of turns, and cost the points of a unit."""
+    found = written(text)
+    assert found.sense and (found.unit.factor if found.unit else 1.0) == pytest.approx(factor)
+
+
 def test_a_direction_and_two_coordinates_stand_beside_a_number() -> None:
     assert written("0.49 m/s ∠ 35°").direction == Pointing(35.0)
     assert written("0.49 m/s，方向 −30.3°").direction == Pointing(-30.3)
@@ -257,6 +272,7 @@ KEYS = ("v_D", "v_C2B", "omega_5", "an_CB", "alpha_3", "eta", "R_12", "bc2", "n2
         ("ω5", "omega_5"),
         ("ω_5", "omega_5"),
         ("ω₅", "omega_5"),
+        ("$\\omega_{5}$", "omega_5"),
         ("w5", "omega_5"),
         ("omega5", "omega_5"),
         ("vD", "v_D"),

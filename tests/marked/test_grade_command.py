@@ -126,18 +126,25 @@ def test_changes_are_told_in_the_words_of_the_class(tmp_path: Path) -> None:
                         "3-9": {
                             "answers": [{"key": "v_E", "outcome": outcome, "points": points, "written": "0.5"}],
                             "lines": [{"key": "v_E", "verdict": verdict, "points": points}],
+                            "stated": {"mu_v": 1.0},
+                            "lost": lost,
                         }
                     },
                 }
             ]
         }
-        for outcome, verdict, points in (("right", "right", 2.0), ("sense", "missing", 0.0))
+        for outcome, verdict, points, lost in (("right", "right", 2.0, 0.0), ("sense", "missing", 0.0, 0.5))
     )
     assert differences(before, after, "zh") == [
         ["1", "3-9", "v_E", 2.0, "正确", "0.5", 0.0, "转向或符号错", "0.5"],
         ["1", "3-9", "v_E（线）", 2.0, "正确", "", 0.0, "漏画", ""],
+        ["1", "3-9", "单位", "", "", "", -0.5, "", ""],  # a total changed, and nothing was told
     ]
-    assert [row[4::3] for row in differences(before, after, "en")] == [["right", "wrong sense"], ["right", "missing"]]
+    assert [row[4::3] for row in differences(before, after, "en")] == [
+        ["right", "wrong sense"],
+        ["right", "missing"],
+        ["", ""],
+    ]
 
 
 PROBLEMS: tuple[object, ...] = (

@@ -16,6 +16,7 @@ from tests.marked.classes import NUMBERS, answers, graded, wide
         ("2099999/3-9.dxf", "the register has no student 2099999"),
         (f"{NUMBERS[0]}_9-9.dxf", "this class has no problem 9-9; there are 3-9"),
         ("scan.dxf", "its name does not tell whose it is"),
+        ("3-9.dxf", "its name does not tell whose it is"),  # and not that of a student of the folder's name
     ],
 )
 def test_why_a_drawing_is_nobodys_is_told(tmp_path: Path, name: str, said: str) -> None:

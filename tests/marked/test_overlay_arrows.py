@@ -61,3 +61,18 @@ def test_letters_of_an_overlay_keep_clear_of_the_circles_of_what_is_allowed_and_
     (row,) = side_by_side([(figure.title.en, scene) for figure, scene in drawn])
     assert len(drawn) == 2 and row[0] == "Velocity polygon; Acceleration polygon"
     assert row[1].extents.width > sum(scene.extents.width for _, scene in drawn)
+
+
+@pytest.mark.parametrize("way", ["←", "↑", "→", "↓"])
+def test_the_title_and_the_scale_of_an_overlay_stand_below_what_the_student_drew(tmp_path: Path, way: str) -> None:
+    """A vector that points elsewhere ran through them."""
+    mine = answers(NUMBERS[0]) | {"v_E": f"0.3 {way}", "a_E": f"9 {way}"}
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: mine}))
+    sheet, marked = register().sheet(NUMBERS[0]), done.results[0].marks["3-9"]
+    assert sheet is not None
+    drawn = list(overlays(solve(register().variant(sheet.parts[0]), repeats=0).construction, marked, "zh"))
+    assert len(drawn) > 1
+    for _, scene in drawn:
+        own = [item for item in scene.items if isinstance(item, Stroke) and item.dash is Dash.DASHED]
+        caption = sorted((item.rect for item in scene.items if isinstance(item, TextBox)), key=lambda rect: rect.y0)[:2]
+        assert own and max(rect.y1 for rect in caption) < min(z.imag for item in own for z in item.points)

@@ -65,12 +65,18 @@ def read_roster(path: Path) -> Roster:
                 students.append((line, one))
     _no_twins(path, students)
     if not students:
-        raise RosterError(
-            Words(f"{path}：没有学生；表头下每行一名学生", f"{path}: no students; one a row below the header"),
-            code="empty",
-            faults=tuple(faults),
-        )
+        raise RosterError(_nobody(path, faults), code="empty", faults=tuple(faults))
     return Roster(tuple(one for _, one in students), tuple(faults), nameless="name" not in columns)
+
+
+def _nobody(path: Path, faults: Sequence[Fault]) -> Words:
+    """That there are no students: no rows, or none that can be read."""
+    if not faults:
+        return Words(f"{path}：没有学生；表头下每行一名学生", f"{path}: no students; one a row below the header")
+    rows = Words(
+        f"{path}：{len(faults)} 行都读不出；首先，", f"{path}: none of {len(faults)} rows can be read; first, "
+    )
+    return rows + faults[0].words
 
 
 def plain(text: object) -> str:

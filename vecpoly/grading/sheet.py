@@ -84,16 +84,21 @@ def _scale(mu: str, cell: str | float | None, faults: list[Words]) -> float | No
     text = "" if cell is None else str(cell).strip()
     if not text:
         return None
-    kind = kinds()[mu]
-    unit = f"({kind.unit})/mm" if "/" in kind.unit else f"{kind.unit}/mm"
-    digits, behind = _numbered(text)
     try:
-        value = read(f"{digits} {behind or unit}".strip(), PerMm(kind.called, kind.unit, kind.example)).si
-        value /= unit_of(plain(kind.unit))[0]
+        value = scale_read(mu, text)
     except FaultError as fault:
         faults.append(Words.same(f"{mu.replace('mu', 'μ')} = {text}: ") + fault.words)
         return None
     return value if value > 0 else None
+
+
+def scale_read(mu: str, text: str) -> float:
+    """What a scale says, in the unit of its kind per mm; a bare number is one of these. Raises FaultError."""
+    kind = kinds()[mu]
+    unit = f"({kind.unit})/mm" if "/" in kind.unit else f"{kind.unit}/mm"
+    digits, behind = _numbered(text)
+    value = read(f"{digits} {behind or unit}".strip(), PerMm(kind.called, kind.unit, kind.example)).si
+    return value / unit_of(plain(kind.unit))[0]
 
 
 def _numbered(text: str) -> tuple[str, str]:

@@ -77,7 +77,7 @@ def grade_drawings(register: Register, returned: Returned, folder: Path, out: Pa
         told(Words("看图", "reading drawings"), done, len(found))
         number = ""
         try:
-            sheet, part = _owner(register, path)
+            sheet, part = _owner(register, path, folder)
             number, whose = sheet.student.number, (sheet.student.number, part.problem)
             _refuse_second(works.get(whose))
             works[whose] = one = _work(register, returned, sheet, part, path, lang)
@@ -86,7 +86,7 @@ def grade_drawings(register: Register, returned: Returned, folder: Path, out: Pa
                 files.append(write_whole(out / "drawings" / name, to_pdf(*one.scenes, title=name, lang=lang)))
         except VecpolyError as error:
             faults += _faults(path, error, number)
-    faults += _of_other_programs(register, set(there) - set(found), works)
+    faults += _of_other_programs(register, folder, set(there) - set(found), works)
     table = write_whole(out / "drawings.csv", csv_bytes(list(_rows(works.values(), lang))))
     return Drawn(works=works, files=(table, *files), faults=tuple(faults))
 
@@ -101,12 +101,12 @@ def _faults(path: Path, error: VecpolyError, number: str) -> list[Fault]:
 
 
 def _of_other_programs(
-    register: Register, paths: Iterable[Path], works: Mapping[tuple[str, str], Work]
+    register: Register, folder: Path, paths: Iterable[Path], works: Mapping[tuple[str, str], Work]
 ) -> Iterator[Fault]:
     """Drawings that nobody can read here, DWG and photographs, of whoever handed in none that can be read."""
     for path in sorted(paths):
         try:
-            sheet, part = _owner(register, path)
+            sheet, part = _owner(register, path, folder)
         except VecpolyError:
             continue  # a list of names, a picture of the system's
         if (sheet.student.number, part.problem) not in works:
@@ -149,20 +149,21 @@ def _refuse_second(before: Work | None) -> None:
         )
 
 
-def _owner(register: Register, path: Path) -> tuple[Sheet, Part]:
+def _owner(register: Register, path: Path, drawings: Path) -> tuple[Sheet, Part]:
     """Whose drawing it is, and of which problem; raises VecpolyError where the name does not tell."""
     for number, problem in _names(path):
         sheet = next((one for one in register.sheets if number in (one.student.number, one.sheet)), None)
         part = next((one for one in sheet.parts if one.problem == problem), None) if sheet is not None else None
         if sheet is not None and part is not None:
             return sheet, part
-    raise VecpolyError(_why_nobodys(register, path), code="drawing-owner")
+    raise VecpolyError(_why_nobodys(register, path, drawings), code="drawing-owner")
 
 
-def _why_nobodys(register: Register, path: Path) -> Words:
+def _why_nobodys(register: Register, path: Path, drawings: Path) -> Words:
     """A student or a problem that the class has not, else a name that tells neither."""
     problems = {one.id for one in register.exercises}
-    for number, problem in _names(path):
+    names = list(_names(path))
+    for number, problem in names[:-1] if path.parent == drawings else names:
         known = any(number in (one.student.number, one.sheet) for one in register.sheets)
         if problem in problems and not known:
             return Words(
@@ -182,7 +183,7 @@ def _why_nobodys(register: Register, path: Path) -> Words:
 
 
 def _names(path: Path) -> Iterator[tuple[str, str]]:
-    """What the name may mean: number_problem, number_name_problem, number/problem."""
+    """What the name may mean: number_problem, number_name_problem, number/problem, this last."""
     parts = _PARTS.split(path.stem)
     if len(parts) > 1:
         yield parts[0], parts[-1]

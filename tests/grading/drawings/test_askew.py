@@ -25,6 +25,7 @@ from vecpoly.grading.allowance import STUDENT
 from vecpoly.grading.drawings.expected import Expected
 from vecpoly.grading.drawings.judging.mark import DrawingMark, Verdict
 from vecpoly.grading.drawings.segment import Segment
+from vecpoly.grading.key import NOTHING
 from vecpoly.grading.marking.lines import paid_by_lines
 from vecpoly.grading.rules import Rules
 
@@ -169,3 +170,16 @@ def test_the_turn_costs_half_of_one_vector_whatever_else_it_spoils() -> None:
     lost = {one.key: one.worth - one.earned for one in lines if one.earned < one.worth - 1e-9}
     assert lost == {"v_B": pytest.approx(next(one.worth for one in lines if one.key == "v_B") / 2)}
     assert all(one.doubt is None for one in lines)
+
+
+def test_the_line_with_which_an_askew_polygon_is_paid_is_not_said_to_cost_nothing() -> None:
+    """Where v_B, by which the turn is told, is not asked, the next vector pays, and said that it does not."""
+    key = sheet_key("3-9")
+    unasked = replace(
+        key, quantities=tuple(replace(one, points=NOTHING) if one.key == "v_B" else one for one in key.quantities)
+    )
+    mark = marked(key_of("3-9"), lying(exact(), drawn(exact()), velocity=by(-17)))
+    lines = [one for one in paid_by_lines(unasked, mark, Rules())[1] if one.verdict is Verdict.WRONG]
+    paying = [one for one in lines if one.earned < one.worth]
+    assert len(lines) > 1 and [one.reason.zh for one in paying] == ["长度可以，方向随整个多边形偏了 −17.0°"]
+    assert all("不重复扣分" in one.reason.zh for one in lines if one not in paying)

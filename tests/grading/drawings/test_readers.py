@@ -83,6 +83,7 @@ def test_a_dxf_as_librecad_writes_it_by_hand_has_layers_as_names() -> None:
 def test_a_dxf_in_inches_or_without_a_unit_says_so() -> None:
     inches = parsed("a.dxf", dxf(LINE, "  9\n$INSUNITS\n 70\n     1\n"))
     assert lines(inches) == [(25.4 + 50.8j, 101.6 + 152.4j)] and "inches" in inches.remarks[0].en
+    assert inches.remarks[0].zh == "DXF 的单位是英寸，已换算为 mm"
     assert "mm" in parsed("a.dxf", dxf(LINE, "")).remarks[0].zh
 
 

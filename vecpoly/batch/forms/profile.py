@@ -7,8 +7,9 @@ import re
 from collections.abc import Iterable, Sequence
 from io import StringIO
 from pathlib import Path
+from typing import Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
 from ...errors import FaultError, VecpolyError
 from ...problem.problem import Problem
@@ -28,6 +29,16 @@ class ColumnOf(BaseModel):
     head: str
     holds: str = ""
     text: str = ""
+
+    @model_validator(mode="after")
+    def _is_one_thing(self) -> Self:
+        if self.holds and self.text:
+            said = Words(
+                f"列“{self.head}”又有 holds 又有 text；请只留一个",
+                f"column '{self.head}' has holds and text; leave one of them",
+            )
+            raise FaultError(said, code="both")
+        return self
 
 
 class Profile(BaseModel):
@@ -71,7 +82,7 @@ def table_bytes(register: Register, profile: Profile) -> bytes:
     writer = csv.writer(text, lineterminator="\r\n")
     writer.writerow(column.head for column in profile.columns)
     for sheet in register.sheets:
-        writer.writerow(guarded(_cell(sheet, column)) for column in profile.columns)
+        writer.writerow(_cell(sheet, column) for column in profile.columns)
     return text.getvalue().encode("utf-8-sig" if profile.mark else "utf-8")
 
 
@@ -85,7 +96,7 @@ def _cell(sheet: Sheet, column: ColumnOf) -> str:
         return column.text
     if column.holds in _OF_STUDENT:
         held = (sheet.student.number, sheet.student.name, sheet.student.team, sheet.sheet)
-        return held[_OF_STUDENT.index(column.holds)]
+        return guarded(held[_OF_STUDENT.index(column.holds)])  # what others wrote; −43 mm is no formula
     problem, _, name = column.holds.partition(":")
     for part in sheet.parts:
         if part.problem == problem and name in part.values:

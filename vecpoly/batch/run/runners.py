@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-from ...errors import MissingPackageError
+from ...errors import ArgumentError, MissingPackageError
 from ...foundation.running.rubbish import seldom_looked_for
 from ...words import Words
 
@@ -125,7 +125,16 @@ def _client(address: str) -> Any:
                 '--dask needs Dask: pip install "vecpoly[cluster]"; without --dask this machine does the work',
             )
         ) from None
-    return Client(address)
+    try:
+        return Client(address)
+    except (ValueError, TypeError, OSError) as error:
+        raise ArgumentError(
+            Words(
+                f"--dask {address}：连不上调度器（{error}）；请写它的地址，如 tcp://10.0.0.1:8786",
+                f"--dask {address}: there is no scheduler ({error}); write its address, as tcp://10.0.0.1:8786",
+            ),
+            code="dask",
+        ) from None
 
 
 def _begun_by(parent: int) -> None:

@@ -20,7 +20,7 @@ from ..terminal import add, say, show, table, working
 if TYPE_CHECKING:
     from ...grading.student import Checked
 
-_CLAIM = re.compile(r"[^\W\d][\w^{}′']*\s*[＝≈≅:：](?![\\/])")  # v_D≈0.49, and no drive of a path
+_CLAIM = re.compile(r"[^\W\d][\w^{}′']*\s*[=≈≅:](?![\\/])")  # v_D≈0.49, and no drive of a path
 _SYMBOL = re.compile(r"[^\W\d][\w^{}′']*")
 _NUMBER = re.compile(r"[-+−±≈]?\d*[.,]?\d+(?:[eE][-+]?\d+)?(?:\s*[^\W\d].*|\s*[°∠].*)?")  # 0.173 m/s, and no 3-9
 _COLUMNS = {"zh": ("量", "所写", "结论", "缘由"), "en": ("quantity", "written", "verdict", "reason")}
@@ -28,7 +28,9 @@ _COLUMNS = {"zh": ("量", "所写", "结论", "缘由"), "en": ("quantity", "wri
 
 def claims_among(names: Sequence[str]) -> list[str]:
     """The answers among the arguments: with an equals sign, or what stands for one behind a symbol, and no file."""
-    return [name for name in names if ("=" in name or _CLAIM.match(name)) and not Path(name).exists()]
+    from ...grading.reading.characters import plain
+
+    return [name for name in names if ("=" in name or _CLAIM.match(plain(name))) and not Path(name).exists()]
 
 
 def with_equals(names: Sequence[str]) -> list[str]:

@@ -36,6 +36,7 @@ class Measured:
 
 
 _ANGLE = "angle 1 "
+_RULED = {n: one for n, name in ((1.0, "mm"), (10.0, "cm")) if (one := unit(name)) is not None}
 
 
 def measured(written: Written, graded: Graded, scale: float | None = None) -> Measured | None:
@@ -50,8 +51,8 @@ def measured(written: Written, graded: Graded, scale: float | None = None) -> Me
     if (written.at is None) is (graded.kind is Kind.PLACE) or _beside_the_point(written, graded):
         return None
     factor, fault = _factor(written, graded)
-    if fault is UnitFault.DIMENSION and scale and graded.kind is Kind.VECTOR and written.unit == unit("mm"):
-        factor, fault = scale, None
+    if fault is UnitFault.DIMENSION and scale and graded.kind is Kind.VECTOR and (paper := _on_paper(written)):
+        factor, fault = scale * paper, None
     sense = written.sense or (1 if written.signed else 0) * (-1 if written.value < 0 else 1)
     at = None if written.at is None else (written.at[0] * factor, written.at[1] * factor)
     value = written.value if written.yes is None else float(written.yes)
@@ -60,6 +61,12 @@ def measured(written: Written, graded: Graded, scale: float | None = None) -> Me
         value=value * factor, sense=sense, direction=written.direction, at=at, yes=written.yes,
         half=written.last * factor / 2, fault=fault,
     )  # fmt: skip
+
+
+def _on_paper(written: Written) -> float | None:
+    """How many mm one is of the unit, mm or cm, in which a length was read: a speed in m lacks its /s."""
+    read = written.unit
+    return next((n for n, one in _RULED.items() if read is not None and read[1:] == one[1:]), None)
 
 
 def _beside_the_point(written: Written, graded: Graded) -> bool:

@@ -5,24 +5,48 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from ...errors import FaultError
 from ...figures import scales
+from ..reading.characters import plain
+from ..sheet import scale_read
 from .segment import Label
 
-_SCALE = re.compile(r"[μµu]_?\{?([A-Za-z])\}?\s*=\s*([0-9.]+(?:[eE][-+]?\d+)?)\s*(\(?[a-zA-Z·/^0-9²]+\)?)/mm")
-_SQUARED = str.maketrans({"²": "2", "^": None, "(": None, ")": None, "·": None})
+_SCALE = re.compile(r"[μµu]_?\{?([A-Za-z]+)\}?=([^=]*?)/mm(?![A-Za-z0-9_/^])")
+_ONE = re.compile(r"(?<![\d.])1mm=([\d.][^=,;]*)")  # 1 mm = 0.01 m/s
+_ENDS = re.compile(r"[^\w°)]+$")
 LINE = 1.0  # of the letters' height: what stands on one line of lettering
 
 
 def stated(labels: Sequence[Label]) -> dict[str, float]:
-    """``mu_v`` → SI per mm, of the scales whose unit is that of the textbook."""
-    known = {mu.key: mu.unit.translate(_SQUARED) for mu in scales().values()}
+    """``mu_v`` → in the unit of its kind per mm, whatever unit it is told in; what is no scale is left out.
+
+    1 mm = 0.01 m/s is said of every kind that is measured so.
+    """
+    known = scales()
     found: dict[str, float] = {}
-    for text in _lines(labels):
-        for letter, number, unit in _SCALE.findall(text.replace(" ", "")):
-            key = f"mu_{letter}"
-            if known.get(key) == unit.translate(_SQUARED) and float(number) > 0:
-                found.setdefault(key, float(number))
+    for text in map(_squeezed, _lines(labels)):
+        said = [(f"mu_{letter}", value) for letter, value in _SCALE.findall(text)]
+        said += [(key, _ENDS.sub("", value)) for value in _ONE.findall(text) for key in known]
+        for key, value in said:
+            if key in known and (number := _number(key, value)) is not None:
+                found.setdefault(key, number)
     return found
+
+
+def _number(key: str, value: str) -> float | None:
+    """The scale that says so many of a unit a mm; None where the unit is none of its kind."""
+    digits = re.match(r"[\d.]+(?:[eE][-+]?\d+|[×·*]10\^?[-+]?\d+)?", value)
+    unit = value[digits.end() :].strip("()") if digits else ""
+    if digits is None or not unit:
+        return None
+    try:
+        return scale_read(key, f"{digits[0]} ({unit})/mm") or None
+    except FaultError:
+        return None
+
+
+def _squeezed(text: str) -> str:
+    return plain(text).replace(" ", "")
 
 
 def _lines(labels: Sequence[Label]) -> list[str]:
@@ -30,7 +54,7 @@ def _lines(labels: Sequence[Label]) -> list[str]:
     return [
         one.text + "".join(other.text for other in sorted(labels, key=lambda o: o.at.real) if _goes_on(one, other))
         for one in labels
-        if "=" in one.text or one.text[:1] in "μµ"
+        if "=" in plain(one.text) or one.text[:1] in "μµ"
     ]
 
 

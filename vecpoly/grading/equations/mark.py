@@ -91,15 +91,24 @@ def _said(row: EquationRow, terms: Sequence[int], *, known: bool) -> Message | N
 
 
 def only_with_equation(
-    findings: Sequence[Finding], key: AnswerKey, marks: Sequence[EquationMark], rules: Rules
+    findings: Sequence[Finding], key: AnswerKey, paid: AnswerKey, marks: Sequence[EquationMark], rules: Rules
 ) -> tuple[Finding, ...]:
-    """The findings; unless numbers alone do, without the accuracy marks of parts whose equations are not right."""
+    """The findings; unless numbers alone do, without the accuracy marks of parts whose equations are not right.
+
+    paid: the key in which lengths that were read have the points of their lines, which are no accuracy marks.
+    """
     if rules.compensatory:
         return tuple(findings)
     bad = {one.row.block for one in marks if not one.outcome.is_right}
-    return tuple(_without(one) if key[one.key].block in bad and one.earned.accuracy else one for one in findings)
+    return tuple(
+        _without(one, key[one.key], paid[one.key]) if key[one.key].block in bad and one.earned.accuracy else one
+        for one in findings
+    )
 
 
-def _without(one: Finding) -> Finding:
-    earned = replace(one.earned, accuracy=0.0)
+def _without(one: Finding, own: Graded, paid: Graded) -> Finding:
+    kept = 1.0 - own.points.accuracy / paid.points.accuracy
+    if kept == 1.0:
+        return one
+    earned = replace(one.earned, accuracy=one.earned.accuracy * kept)
     return replace(one, earned=earned, messages=(*one.messages, message(Told.NO_EQUATION)))

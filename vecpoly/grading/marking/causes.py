@@ -49,7 +49,7 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
     pool = set(found.given) - settled if whole else _near(found, root)
     explained = explain(found.key, found.given, pool, [one for one in mutants if not _denied(found, root, one)])
     made = explained.mutant
-    if made is not None and _outvoted(found, made):
+    if made is not None and (root.key in made.lost or _outvoted(found, made)):
         return
     rivals = _rivals(found, root, open_ones, made) if made is not None else ()
     if any(map(_far_smaller, rivals)):
@@ -88,6 +88,7 @@ def _outvoted(found: Verdicts, made: Mutant) -> bool:
     """Whether far more is wrong than the mistake explains: one of many values that are wrong otherwise agrees with some
     mistake by chance."""
     wrong = [*found.roots(), *(found.key[name] for name, basis in found.basis.items() if basis is Basis.SCALE)]
+    wrong = [one for one in wrong if one.key not in made.lost]
     borne_out = sum(agrees(one, found.given[one.key], made, found.key.allowance) for one in wrong)
     return len(wrong) > MANY * borne_out
 

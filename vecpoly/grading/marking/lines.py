@@ -8,6 +8,7 @@ from typing import Any, assert_never
 
 from ...foundation.slotted import replace
 from ...words import Words
+from ..drawings.judging.askew import leaning
 from ..drawings.judging.mark import NO_WORDS, Basis, DrawingMark, FigureMark, VectorMark, Verdict
 from ..drawings.judging.reason import FAIR
 from ..key import AnswerKey, Graded, Kind
@@ -70,7 +71,9 @@ def _once_for_each(lines: list[LineMark], drawing: DrawingMark, rules: Rules) ->
         here = [n for n, one in enumerate(lines) if one.figure == figure.title and one.verdict is Verdict.WRONG]
         if here and not any(lines[n].costs for n in here):
             first = lines[here[0]]
-            lines[here[0]] = replace(first, earned=min(first.earned, first.worth * rules.turned), costs=True)
+            by = next(one.turned for one in figure.vectors if first.key in one.keys)
+            earned = min(first.earned, first.worth * rules.turned)
+            lines[here[0]] = replace(first, earned=earned, reason=leaning(by), costs=True)
     return lines
 
 

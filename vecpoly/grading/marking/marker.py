@@ -64,7 +64,7 @@ def mark(
     why = causes(found, mutants_at(paid, mutants(), sheet.scales)) if found.roots() else Causes()
     named = {name for name, said in why.said.items() if said.id is not Told.TWO_SLIPS}
     findings = tuple(_finding(found, why, one, named, rules) for one in key.quantities if _shown(one, sheet))
-    findings = only_with_equation(findings, key, equations, rules)
+    findings = only_with_equation(findings, unpaid, key, equations, rules)
     used = {key[name].mu for name in found.given}
     used |= {scale_of(one.block, key.quantities, key.scales) for one in map(key.__getitem__, found.given) if one.at}
     used |= {key[one.key].mu for one in lines if one.earned}

@@ -8,8 +8,11 @@ from dataclasses import dataclass
 from ...words import Words
 
 _BODY = r"(?:\d[\d.,]*\d|\d)[.,]?|[.,]\d+"
+_TIMES = r"10(?P<zeros>0*)(?!\s*(?:[\d^({]|[.,]\d|\*\*|[+-]\s*\d))"  # ×10, ×100: no power of ten that is told
+_RAISED = r"10\s*(?:\^|\*\*)?\s*[({]?\s*(?P<power>[+-]?\d{1,2})\s*[)}]?"
 NUMBER = re.compile(
-    rf"([+-]?)\s*({_BODY})(?:\s*[×x*·]\s*10\s*(?:\^|\*\*)?\s*\(?\s*([+-]?\d{{1,2}})\s*\)?|[eE]([+-]?\d{{1,2}})(?!\d))?"
+    rf"(?P<sign>[+-]?)\s*(?P<body>{_BODY})"
+    rf"(?:\s*[×x*·]\s*(?:{_TIMES}|{_RAISED})|[eE](?P<shifted>[+-]?\d{{1,2}})(?!\d))?"
 )
 
 
@@ -27,19 +30,27 @@ class Number:
 
 def number(found: re.Match[str]) -> Number | Words:
     """The number of a match of NUMBER, or why it is none."""
-    body = _point(found[2], led=bool(found[3] or found[4]))
+    power = _power(found)
+    body = _point(found["body"], led=power is not None)
     if isinstance(body, Words):
         return body
-    power = int(found[3] or found[4] or 0)
     decimals = len(body.partition(".")[2])
     significant = body.replace(".", "").lstrip("0")
-    sign = -1.0 if found[1] == "-" else 1.0
+    sign = -1.0 if found["sign"] == "-" else 1.0
     return Number(
-        value=sign * float(f"{body}e{power}"),
-        signed=bool(found[1]),
-        last=float(f"1e{power - decimals}"),
+        value=sign * float(f"{body}e{power or 0}"),
+        signed=bool(found["sign"]),
+        last=float(f"1e{(power or 0) - decimals}"),
         digits=len(significant),
     )
+
+
+def _power(found: re.Match[str]) -> int | None:
+    """The power of ten that stands behind a number: of ×100 the second; None where there is none."""
+    if found["zeros"] is not None:
+        return 1 + len(found["zeros"])
+    told = found["power"] or found["shifted"]
+    return int(told) if told else None
 
 
 def _point(body: str, *, led: bool) -> str | Words:

@@ -6,8 +6,12 @@ import re
 
 from .characters import plain
 
-_CCW = r"[逆反]时针?(?:方向)?|逆|(?:counter|anti)[-\s]?clock[-\s]?(?:wise)?|c\.?\s?c\.?\s?w\.?|a\.?\s?c\.?\s?w\.?|↺|⟲|⭯"
-_CW = r"顺时针?(?:方向)?|顺|clock[-\s]?wise|c\.?\s?w\.?|↻|⟳|⭮"
+_TURNING = r"(?:方向)?(?:(?:转动|旋转|回转|转)(?![/每]))?(?:方向)?"  # 逆时针转动, and no unit of 转/分
+_CCW = (
+    rf"(?:[逆反][时時][针針]?|逆){_TURNING}|"
+    r"(?:counter|anti)[-\s]?clock[-\s]?(?:wise)?|c\.?\s?c\.?\s?w\.?|a\.?\s?c\.?\s?w\.?|↺|⟲|⭯"
+)
+_CW = rf"[顺順](?:[时時][针針]?)?{_TURNING}|clock[-\s]?wise|c\.?\s?w\.?|↻|⟳|⭮"
 _WORD = re.compile(
     rf"[\s,;(\[]*(?:方向|转向|sense|dir(?:ection)?)?\s*[:=]?\s*(?:(?P<ccw>{_CCW})|(?P<cw>{_CW}))[\s)\].]*", re.I
 )

@@ -32,9 +32,9 @@ _GREEK = {
 
 
 def squeezed(symbol: str) -> str:
-    """Letters and digits alone: a^n_{CB} → anCB, ω₅ → omega5."""
+    """Letters and digits alone: a^n_{CB} → anCB, ω₅ and \\omega_5 → omega5."""
     text = "".join(_GREEK.get(letter, letter) for letter in plain(symbol))
-    return re.sub(r"[\s_^{}$·]", "", text)
+    return re.sub(r"[\s_^{}$·\\]", "", text)
 
 
 def keyed(symbol: str, keys: Iterable[str]) -> str:

@@ -28,7 +28,6 @@ from ..redraw import ByHand, by_hands
 TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, *FOUND_AMISS)  # by which a motion may turn round
 FAR = 1e3  # times the exact value: no paper is so large
 SAME = 0.25  # of T: two values nearer than this are one
-NO_WORK: tuple[dict[str, Value], ByHand] = ({}, {})
 HANDS = 24  # students who make each mistake, for what its values scatter by
 
 
@@ -47,15 +46,28 @@ class Value:
     sigma: float = 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class _Work:
+    """What an exact hand finds by a mistake: what comes out otherwise, and what it cannot find."""
+
+    values: dict[str, Value]
+    lost: frozenset[str] = frozenset()
+
+
+NO_WORK: tuple[_Work, ByHand] = (_Work({}), {})
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mutant:
     """The solution of one who makes this slip: the quantities that come out otherwise than they should.
 
-    also: the slips that give the same numbers throughout, and by these cannot be told from it.
+    also: the slips that give the same numbers throughout, and by these cannot be told from it. lost: the quantities for
+    which an exact hand finds nothing, where students scatter as chance has it: the figure does not close.
     """
 
     slip: Slip
     values: Mapping[str, Value] = field(default_factory=dict)
+    lost: frozenset[str] = frozenset()
     also: tuple[Slip, ...] = ()
 
     def value_of(self, one: Graded) -> Value:
@@ -80,7 +92,11 @@ def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) 
     for slip in alone:
         with suppress(VecpolyError):  # nothing can be drawn by this mistake
             found[slip] = _drawn_alone(problem, key, slip)
-    each = [Mutant(slip=slip, values=values) for slip in made if _is_work(values := found.get(slip, NO_WORK)[0])]
+    each = [
+        Mutant(slip=slip, values=work.values, lost=work.lost)
+        for slip in made
+        if _is_work((work := found.get(slip, NO_WORK)[0]).values)
+    ]
     return tuple(_scattered(key, one, found[one.slip][1]) for one in _grouped(key, each))
 
 
@@ -98,7 +114,7 @@ def _is_alone(problem: Problem, slip: Slip) -> bool:
     return not (isinstance(problem.subject, Device) and problem.subject.ends_apart and ":" in slip.key)
 
 
-def _drawn_alone(problem: Problem, key: AnswerKey, slip: Slip) -> tuple[dict[str, Value], ByHand]:
+def _drawn_alone(problem: Problem, key: AnswerKey, slip: Slip) -> tuple[_Work, ByHand]:
     """The same of one slip. Where a quantity that is computed wrongly lets nothing more be drawn, a right sheet is
     drawn beside it: what was found before is then known. Raises VecpolyError where nothing can be drawn."""
     try:
@@ -110,9 +126,7 @@ def _drawn_alone(problem: Problem, key: AnswerKey, slip: Slip) -> tuple[dict[str
     return _changed(key, by_all, 0), {name: values[1:] for name, values in by_all.items()}
 
 
-def _drawn_together(
-    problem: Problem, key: AnswerKey, made: Sequence[Slip]
-) -> dict[Slip, tuple[dict[str, Value], ByHand]]:
+def _drawn_together(problem: Problem, key: AnswerKey, made: Sequence[Slip]) -> dict[Slip, tuple[_Work, ByHand]]:
     """Of each slip what comes out otherwise, and what students who make it find."""
     by_all = by_hands(problem, key, Amended(each=tuple(made)))
     by_many = by_hands(problem, key, Amended(each=tuple(made) * HANDS), unsteady=True)
@@ -148,11 +162,11 @@ def alike(key: AnswerKey, first: Mutant, second: Mutant, names: Mapping[str, boo
     )
 
 
-def _changed(key: AnswerKey, found: ByHand, hand: int) -> dict[str, Value]:
+def _changed(key: AnswerKey, found: ByHand, hand: int) -> _Work:
     """What comes out otherwise, without what rests on a figure that does not close; a step that falls away with the
     mistake, as where two points become one, leaves the others. Nothing, where no paper holds the figure."""
     if any(_off_the_paper(one, found[one.key][hand]) for one in key.quantities if one.key in found):
-        return {}
+        return _Work({})
     values: dict[str, Value] = {}
     open_ended = set[str]()
     for one in (each for each in key.quantities if each.key in found):
@@ -161,7 +175,7 @@ def _changed(key: AnswerKey, found: ByHand, hand: int) -> dict[str, Value]:
             open_ended.add(one.key)
         elif _apart(one, value, Value(value=one.exact, degrees=one.degrees, at=one.at)):
             values[one.key] = value
-    return values
+    return _Work(values, frozenset(open_ended))
 
 
 def _scattered(key: AnswerKey, mutant: Mutant, students: ByHand) -> Mutant:

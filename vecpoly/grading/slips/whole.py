@@ -42,7 +42,7 @@ def explain(
     """
     rule, written = key.allowance, [_held(key[name], given[name], key.allowance) for name in pool]
     wrong = [one for one in written if one.plain is None]
-    could = (one for one in mutants if all(each.key in one.values or each.left_out(one) for each in wrong))
+    could = (one for one in mutants if all(each.may_be_of(one) for each in wrong))
     scored = ((_score(written, one, rule), one) for one in could)
     fitting = [(score, one) for score, one in scored if score is not None and _borne_out(written, one, rule)]
     if not fitting:
@@ -67,6 +67,10 @@ class _Held:
     @property
     def key(self) -> str:
         return self.one.key
+
+    def may_be_of(self, mutant: Mutant) -> bool:
+        """Whether the mistake moves it, or leads to a figure in which anything may be found for it."""
+        return self.key in mutant.values or self.key in mutant.lost or self.left_out(mutant)
 
     def left_out(self, mutant: Mutant) -> bool:
         """Whether it is 0 because the mistake is to leave it out."""

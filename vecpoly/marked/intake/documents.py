@@ -1,22 +1,27 @@
-"""Answers as YAML or JSON: {student: ..., answers: {3-9: {v_E: 0.173}}}, one or a list of them."""
+"""Answers as YAML or JSON: {student: ..., answers: {3-9: {v_E: 0.173}}}, or several under students: [...]."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from pathlib import Path
-from typing import Any
+from dataclasses import dataclass
+from pathlib import Path as FilePath
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from ...batch.roster import plain
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
+from ...problem.schema.faults import Path
 from ...problem.schema.validate import first_told
-from ...problem.text.source import read
+from ...problem.text.source import read, read_text
 from ...words import Words
 from .heads import Head, head
-from .joined import joined
-from .returned import Answers, Returned
+from .joined import joined, twice
+from .returned import Answers, Returned, written_twice
+
+_EXAMPLE = Words(
+    "（如 {student: 学号, answers: {3-9: {v_E: 0.173}}}）", " (e.g. {student: number, answers: {3-9: {v_E: 0.173}}})"
+)
 
 
 class Document(BaseModel):
@@ -24,7 +29,7 @@ class Document(BaseModel):
 
     model_config = ConfigDict(extra="forbid", coerce_numbers_to_str=True)
     student: str
-    answers: dict[str, dict[str, str | float | None]]
+    answers: dict[str, dict[str, str | None]]
 
 
 class Documents(BaseModel):
@@ -34,60 +39,84 @@ class Documents(BaseModel):
     students: list[Document]
 
 
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """A document, and where each of its keys stands: its own path in the file, then that of the key."""
+
+    document: Document
+    path: Path
+    places: Mapping[Path, Place]
+
+    def place(self, *keys: str) -> Place:
+        """Where a key of it stands, or the nearest above it."""
+        path = (*self.path, *keys)
+        return next(self.places[path[:n]] for n in range(len(path), -1, -1) if path[:n] in self.places)
+
+
 def documents(
-    path: Path,
+    path: FilePath,
     any_keys: Mapping[str, AnswerKey],
     keys_of: Callable[[str], Mapping[str, AnswerKey] | None],
     returned: Returned,
 ) -> None:
     """Add what a file holds. Raises TableError for what is no such document, with the key that is wrong."""
-    for n, one in enumerate(_parsed(path), 1):
-        number, place = plain(one.student), Place(str(path), n)
+    for one in _parsed(path):
+        number = plain(one.document.student)
         keys = keys_of(number)
         if keys is None:
             said = Words(f"名册中没有学号 {number}；请核对", f"the register has no student {number}; check the number")
-            returned.fault(place, "stranger", said)
+            returned.fault(one.place("student"), "stranger", said)
             continue
-        for problem, cells in one.answers.items():
+        for problem in one.document.answers:
             if problem not in keys:
                 names = "、".join(keys)
                 said = Words(
                     f"没有题 {problem}；有 {names}", f"there is no problem {problem}; there are {', '.join(keys)}"
                 )
-                returned.fault(place, "problem", said)
+                returned.fault(one.place("answers", problem), "problem", said)
                 continue
-            _add(number, problem, cells, keys, place, returned)
+            _add(number, problem, one, keys[problem], returned)
 
 
-def _add(
-    student: str,
-    problem: str,
-    cells: Mapping[str, Any],
-    keys: Mapping[str, AnswerKey],
-    place: Place,
-    returned: Returned,
-) -> None:
+def _add(student: str, problem: str, one: _Read, key: AnswerKey, returned: Returned) -> None:
     parts: dict[Head, str] = {}
-    for symbol, value in cells.items():
+    where: dict[str, Place] = {}
+    for symbol, value in one.document.answers[problem].items():
+        place = one.place("answers", problem, symbol)
         try:
-            parts[head(symbol, {problem: keys[problem]})] = "" if value is None else str(value)
+            meant = head(symbol, {problem: key})
         except UnknownNameError as error:
             returned.fault(place, "symbol", error.words)
-    where = {one.symbol: place for one in parts}
-    returned.add(Answers(student=student, problem=problem, cells=joined(keys[problem], parts), places=where))
+            continue
+        more = {meant: value or ""}
+        if twice(more, parts):
+            returned.fault(place, "twice", written_twice(meant.symbol, where[meant.symbol]), student)
+            continue
+        parts |= more
+        where.setdefault(meant.symbol, place)
+    returned.add(Answers(student=student, problem=problem, cells=joined(key, parts), places=where))
 
 
-def _parsed(path: Path) -> list[Document]:
-    data = read(path).data
+def _parsed(path: FilePath) -> list[_Read]:
+    _no_list(path)
+    tree = read(path)
+    model = Documents if "students" in tree.data else Document
     try:
-        if "students" in data:
-            return Documents.model_validate(data).students
-        return [Document.model_validate(data)]
+        found = model.model_validate(tree.data)
     except ValidationError as error:
-        model = Documents if "students" in data else Document
-        example = Words(
-            "（如 {student: 学号, answers: {3-9: {v_E: 0.173}}}）",
-            " (e.g. {student: number, answers: {3-9: {v_E: 0.173}}})",
-        )
-        said = Words(f"{path}：", f"{path}: ") + first_told(model, error) + example
+        said = Words(f"{path}：", f"{path}: ") + first_told(model, error) + _EXAMPLE
         raise TableError(said, code="document") from None
+    if isinstance(found, Document):
+        return [_Read(found, (), tree.places)]
+    return [_Read(one, ("students", n), tree.places) for n, one in enumerate(found.students)]
+
+
+def _no_list(path: FilePath) -> None:
+    """Raise TableError for a list of students without its name."""
+    if read_text(path).lstrip().startswith(("[", "- ")):
+        said = Words(
+            f"{path}：几名学生的答案请写在 students: 下，如 {{students: [{{student: 学号, answers: {{…}}}}, …]}}",
+            f"{path}: those of several students stand under students:, as "
+            "{students: [{student: number, answers: {...}}, ...]}",
+        )
+        raise TableError(said, code="document")

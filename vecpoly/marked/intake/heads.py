@@ -40,6 +40,11 @@ class Head:
     part: Part
     unit: str = ""
 
+    @property
+    def what(self) -> tuple[str, str, Part]:
+        """What it holds, in whatever unit: two columns of this are one too many."""
+        return self.problem, self.symbol, self.part
+
 
 def identity(cell: str) -> str | None:
     """What of a student a column holds: student, name, team, sheet."""

@@ -37,6 +37,12 @@ def joined(key: AnswerKey, parts: Mapping[Head, str]) -> dict[str, str]:
     return cells
 
 
+def twice(more: Mapping[Head, str], known: Mapping[Head, str]) -> bool:
+    """Whether something is written of what is written already, by whatever names."""
+    there = {head.what for head, text in known.items() if text.strip()}
+    return any(head.what in there for head, text in more.items() if text.strip())
+
+
 def cell_of(key: AnswerKey, head: Head) -> str:
     """The symbol under which what stands in a column is judged: a length on paper has letters of its own."""
     one = key.find(head.symbol)

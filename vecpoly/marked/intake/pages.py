@@ -14,6 +14,7 @@ from ...tables.files import bytes_of
 from ...tables.texts import decoded, separated
 from ...tables.workbooks import WORKBOOKS, reading
 
+_MARKS = "\t;,"
 CELL_LETTERS = 200  # of a cell that are kept
 
 
@@ -79,7 +80,8 @@ def _reckoned(row: tuple[str, ...], formulas: tuple[object, ...]) -> tuple[str, 
 
 def _csv(name: str, data: bytes) -> Iterator[tuple[str, ...]]:
     text = decoded(data, name, TableError)
-    mark = max("\t;,", key=text.partition("\n")[0].count)
+    first = next((line for line in text.splitlines() if any(mark in line for mark in _MARKS)), "")  # below a title
+    mark = max(_MARKS, key=first.count)
     for row in separated(text, mark, name, TableError):
         yield tuple(cell[:CELL_LETTERS].removeprefix("'") for cell in row)
 

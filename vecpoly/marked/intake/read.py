@@ -13,16 +13,16 @@ from ...grading.reading.written import State, written
 from ...words import Words
 from .documents import documents
 from .heads import NO_PROBLEM, Head, Part, head, identity
-from .joined import cell_of, joined, with_unit
+from .joined import cell_of, joined, twice, with_unit
 from .others import Sheets, of_others
 from .pages import Page, pages
-from .returned import Answers, Returned
+from .returned import Answers, Returned, written_twice
 
 KeysOf = Callable[[str], Mapping[str, AnswerKey] | None]  # of a student: problem → key; None for a stranger
 HEADS = 10  # rows among which the header is looked for
 _LONG = {
     "step": ("step", "量", "symbol", "符号", "quantity"),
-    "value": ("value", "值", "答案", "answer"),
+    "value": ("value", "值", "数值", "答案", "结果", "answer"),
     "unit": ("unit", "单位"),
     "sense": ("sense", "转向"),
     "mm": ("mm",),
@@ -93,12 +93,25 @@ def _heads(
         if j in columns.values() or not cell.strip():
             continue
         try:
-            found[j] = head(cell, keys, default)
+            one = head(cell, keys, default)
         except UnknownNameError as error:
             if error.numbers.get("problem") not in strange:
                 returned.fault(page.place(i, j), "column", error.words)
             strange |= {error.numbers["problem"]} if error.code == NO_PROBLEM else set()
+            continue
+        before = next((k for k, other in found.items() if other.what == one.what), None)
+        if before is None:
+            found[j] = one
+        else:
+            returned.fault(page.place(i, j), "column-twice", _column_twice(page.rows[i][before], before + 1))
     return found
+
+
+def _column_twice(head: str, column: int) -> Words:
+    return Words(
+        f"与第 {column} 列（{head}）是同一个量；此列未用，请只留一列",
+        f"it holds what column {column} ({head}) holds; this column is not used, leave one of them",
+    )
 
 
 def _wide_rows(
@@ -182,15 +195,26 @@ def _long_rows(
         except UnknownNameError as error:
             returned.fault(page.place(n, columns["step"]), "step", error.words)
             continue
-        mine = parts.setdefault((cell["student"], one.problem), {})
-        mine[one] = with_unit(cell["value"], cell["unit"]) if cell.get("unit") else cell["value"]
-        for what, part in (("sense", Part.SENSE), ("mm", Part.LENGTH), ("deg", Part.DIRECTION)):
-            if cell.get(what):
-                mine[Head(one.problem, one.symbol, part)] = cell[what]
-        places.setdefault((cell["student"], one.problem), {})[one.symbol] = page.place(n, columns["value"])
+        whose = cell["student"], one.problem
+        mine, there = parts.setdefault(whose, {}), places.setdefault(whose, {})
+        if twice(more := _parts(one, cell), mine):
+            said = written_twice(one.symbol, there[one.symbol])
+            returned.fault(page.place(n, columns["step"]), "twice", said, cell["student"])
+            continue
+        mine.update(more)
+        there.setdefault(one.symbol, page.place(n, columns["value"]))
     for (number, problem), mine in parts.items():
         key = (keys_of(number) or {})[problem]
         returned.add(Answers(student=number, problem=problem, cells=joined(key, mine), places=places[number, problem]))
+
+
+def _parts(one: Head, cell: Mapping[str, str]) -> dict[Head, str]:
+    """What a row of a long table holds: the value, and each other part that is there."""
+    found = {one: with_unit(cell["value"], cell["unit"]) if cell.get("unit") else cell["value"]}
+    for what, part in (("sense", Part.SENSE), ("mm", Part.LENGTH), ("deg", Part.DIRECTION)):
+        if cell.get(what):
+            found[Head(one.problem, one.symbol, part)] = cell[what]
+    return found
 
 
 def _stranger(number: str) -> Words:

@@ -21,6 +21,14 @@ class Answers:
     places: Mapping[str, Place] = field(default_factory=dict)
 
 
+def written_twice(symbol: str, before: Place) -> Words:
+    """That one answer stands in two places, by whatever names: nobody knows which of them is meant."""
+    return Words(
+        f"{symbol} 已在 {before.words.zh} 写了；此处未用，请只留一个",
+        f"{symbol} is written in {before.words.en} already; this one is not used, leave one of them",
+    )
+
+
 @dataclass(slots=True)
 class Returned:
     """All that was read, in the order of the files; faults: rows and columns that belong to nobody or nothing."""

@@ -10,7 +10,7 @@ from ...board.acts import Arrow
 from ...board.construction import Construction, Figure
 from ...board.paper.marks import Arc, Dot, Mark, Point, Role
 from ...board.place import View
-from ...drawing.figure import draw_figure
+from ...drawing.figure import caption_items, draw_figure
 from ...drawing.scene import Item, Layer, Scene, Stroke
 from ...drawing.style import RESULT, Dash, Hue
 from ...foundation.slotted import replace
@@ -36,7 +36,8 @@ def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator
             allowed = tuple(_allowed(marked.key[one.key], arrows[one.key][1]) for one in own)
             cleared = _cleared(figure)
             whole = replace(cleared, tones=None, marks=(*cleared.marks, *allowed))
-            yield whole, draw_figure(whole, lang=lang) + Scene.of(items)
+            both = draw_figure(whole, lang=lang, caption=False) + Scene.of(items)
+            yield whole, both + Scene.of(caption_items(whole, both.extents, lang))  # below what the student drew, too
 
 
 def _drawable(one: Finding, key: AnswerKey) -> bool:

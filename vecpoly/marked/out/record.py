@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from ..work import Result
 NAME = "marks.json"
 VERSION = 1
 _LINE = Words("（线）", " (line)")
+_UNITS = Words("单位", "units")
 _NOTHING = ("", "", "")
 _Marked = tuple[str, str, str]  # student, problem, quantity
 _Mark = tuple[float | str, str, str]  # points, outcome, what was written
@@ -71,7 +72,7 @@ def differences(before: Mapping[str, Any], after: Mapping[str, Any], lang: Lang)
 
 
 def _points(data: Mapping[str, Any], lang: Lang) -> dict[_Marked, _Mark]:
-    """How everything was marked: numbers, rows of equations, lines of drawings."""
+    """How everything was marked: numbers, rows of equations, lines of drawings, scales that are stated, units."""
     parts = [
         (student["number"], problem, marked)
         for student in data["students"]
@@ -87,4 +88,14 @@ def _points(data: Mapping[str, Any], lang: Lang) -> dict[_Marked, _Mark]:
         )
         for number, problem, marked in parts
         for one in marked.get("lines", ())
+    } | {
+        (number, problem, name): (points, "", "")
+        for number, problem, marked in parts
+        for name, points in _beside(marked, lang) if points
     }  # fmt: skip
+
+
+def _beside(marked: Mapping[str, Any], lang: Lang) -> Iterator[tuple[str, float]]:
+    """What a sheet has for the scales that it states, and loses by its units."""
+    yield from ((name, round(points, 6)) for name, points in marked.get("stated", {}).items())
+    yield _UNITS.of(lang), -round(marked.get("lost", 0.0), 6)

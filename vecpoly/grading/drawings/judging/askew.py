@@ -82,16 +82,18 @@ def _vector(one: VectorMark, held: Held, cause: _Cause) -> VectorMark:
     if held.mirror and abs(lean) <= UNSEEN:
         return replace(one, own=own, tail=tail)  # along the mirror
     basis, said = (Basis.EXACT, NO_WORDS) if cause.root is None else (Basis.SLIP, _follows(cause.root))
-    why = Words(
-        f"长度可以，方向随整个多边形偏了 {lean:+.1f}°",
-        f"length fine, direction off by {lean:+.1f}° with the whole polygon",
-    )
     turned = replace(
         one, own=own, tail=tail, verdict=Verdict.WRONG, direction=Verdict.WRONG, sense=True, turned=lean, basis=basis,
-        reason=why + said,
+        reason=leaning(lean) + said,
     )  # fmt: skip
     cause.root = cause.root or turned
     return turned
+
+
+def leaning(by: float) -> Words:
+    """That a direction is off by so many degrees with the polygon."""
+    off = f"{by:+.1f}°".replace("-", "−")
+    return Words(f"长度可以，方向随整个多边形偏了 {off}", f"length fine, direction off by {off} with the whole polygon")
 
 
 def _follows(root: VectorMark) -> Words:

@@ -23,7 +23,7 @@ from .mark import Basis, FigureMark, VectorMark, Verdict
 from .meeting import met
 from .own import Own
 from .reason import FAIR, reason
-from .scales import OTHER_SCALE, other_scale, undeclared
+from .scales import OTHER_SCALE, OTHER_SIZE, other_scale, undeclared
 from .slipped import by_one_mistake
 
 BETTER = 0.75  # of a cost: a mistake that explains the lines fits them clearly better than what is right
@@ -128,7 +128,7 @@ class _Judging:
             extra=tuple(one for one in match.extra if one.headed or not beside(one, match)),
             gap=widest,
             remarks=tuple(remarks),
-            doubt=None if fit.told is None else OTHER_SCALE,
+            doubt=OTHER_SCALE if fit.told is not None else OTHER_SIZE if self.found.printed != 1.0 else None,
         )
 
     def _vector(self, fit: Fit, edge: Edge, match: Match) -> VectorMark:

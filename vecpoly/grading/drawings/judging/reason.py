@@ -22,7 +22,7 @@ def reason(mark: VectorMark, edge: Edge, scale: float) -> Words:
         return Words(f"正确（{zh}）", f"correct ({en})") + own
     if mark.direction not in FAIR and mark.length in FAIR:
         d = mark.turned
-        return Words(f"长度可以，但方向差 {d:+.1f}°", f"length fine, direction off by {d:+.1f}°") + own
+        return Words(f"长度可以，但方向差 {_signed(d)}", f"length fine, direction off by {_signed(d)}") + own
     return _length(mark, scale) + own
 
 
@@ -46,10 +46,14 @@ def _length(mark: VectorMark, scale: float) -> Words:
     own, should = abs(mark.own or 0j) * scale, abs(mark.should) * scale
     near = mark.verdict is Verdict.CLOSE
     zh, en = ("接近：", "close: ") if near else ("", "")
-    lean = "" if mark.direction in FAIR else f"，方向差 {mark.turned:+.1f}°"
-    leans = "" if mark.direction in FAIR else f", direction off by {mark.turned:+.1f}°"
+    lean = "" if mark.direction in FAIR else f"，方向差 {_signed(mark.turned)}"
+    leans = "" if mark.direction in FAIR else f", direction off by {_signed(mark.turned)}"
     allowed = mark.allowed * scale
     return Words(
         f"{zh}长 {own:.2f} mm，应为 {should:.2f} mm（允许 ±{allowed:.2f} mm）{lean}",
         f"{en}{own:.2f} mm long, should be {should:.2f} mm (allowed ±{allowed:.2f} mm){leans}",
     )
+
+
+def _signed(degrees: float) -> str:
+    return f"{degrees:+.1f}°".replace("-", "−")

@@ -8,6 +8,10 @@ OTHER_SCALE = Words(
     "没有按写明的比例尺画：或是写错了，或是另取了比例尺；请核对",
     "it is not drawn to the scale that is stated: wrongly stated, or another was taken; check it",
 )
+OTHER_SIZE = Words(
+    "整幅图的大小与所写的比例尺不符：或是缩放输出，或是整幅图另取了比例尺；请核对",
+    "the whole sheet is of another size than its scales say: put out so, or drawn to other scales throughout; check it",
+)
 
 
 def undeclared(mu: float, symbol: str) -> Words:

@@ -17,6 +17,14 @@ if TYPE_CHECKING:
     from ezdxf.entities.dxfentity import DXFEntity
 
 MM = 4  # $INSUNITS
+UNITS = {
+    "centimeters": "厘米",
+    "decimeters": "分米",
+    "meters": "米",
+    "microns": "微米",
+    "inches": "英寸",
+    "feet": "英尺",
+}
 FLAT = 1e-9
 
 
@@ -51,7 +59,8 @@ class _Unit:
             found.remark(Words("DXF 未注明单位，按 mm 读取", "the DXF states no unit; it was read as mm"))
         elif code != MM:
             name = InsertUnits(code).name.casefold()
-            found.remark(Words(f"DXF 的单位是 {name}，已换算为 mm", f"the DXF is in {name}; converted to mm"))
+            zh = UNITS.get(name, f" {name}")
+            found.remark(Words(f"DXF 的单位是{zh}，已换算为 mm", f"the DXF is in {name}; converted to mm"))
 
     def at(self, point: Any) -> complex:
         """A place of the drawing in mm."""
