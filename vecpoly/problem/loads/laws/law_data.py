@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from ....mechanism.laws.sizes import Table
 from ....mechanism.laws.springs import Coil, Elastic
 from ....mechanism.laws.windows import During, Moving, Turning
 from ....mechanism.loads import Constant, Load
@@ -73,11 +74,24 @@ def told_table(load: Load, spec: LoadSpec) -> Datum:
         text = written(area)
         piston = Words(f"，活塞{which.zh} {text}", f", {which.en} of the piston {text}")
     return Datum(
-        words=by_table(f"${load.name}$", sizes, over) + piston,
+        words=by_table(f"${load.name}$", sizes, over) + _counted(load, over) + piston,
         table=GivenTable(
             head=tuple(f"{symbol} /{unit}" for symbol, unit in heads),
             rows=tuple(tuple(str(cell).strip().replace("-", "−") for cell in row) for row in spec.size.rows),
         ),
+    )
+
+
+def _counted(load: Load, place: str) -> Words:
+    """Of what a table over a length tells the sizes: of the travel of the load's point, or of the driving slider."""
+    table = load.law.size if load.law is not None else None
+    if not isinstance(table, Table) or table.period:
+        return Words("", "")
+    if table.over is None:
+        return Words(f"（{place} 为原动件的位移）", f" ({place}: the travel of the driving link)")
+    return Words(
+        f"（{place} 为 ${table.over.point}$ 点沿力的方向自行程起点量起的位移）",
+        f" ({place}: the travel of ${table.over.point}$ along the force from the beginning of its stroke)",
     )
 
 
