@@ -67,6 +67,9 @@ def _reduce(st: Statics, to: Equivalent) -> None:
     if st.loads.masses:
         _inertia(st, to, moved)
     else:
+        st.board.remark(
+            Words(f"各构件不计质量，故 ${to.inertia.symbol}$ = 0。", f" No link has a mass: ${to.inertia.symbol}$ = 0.")
+        )
         keep_nothing(st, to.inertia)
     _load(st, to, moved)
 
@@ -107,6 +110,12 @@ def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
         links = [st.mech.number(mass.link) for mass in st.loads.masses]
         st.board.tabulate(_table(moved, links, rows, to.inertia.unit))
     if not terms:
+        st.board.remark(
+            Words(
+                f"各质量都没有动能，故 ${to.inertia.symbol}$ = 0。",
+                f" No mass has kinetic energy: ${to.inertia.symbol}$ = 0.",
+            )
+        )
         keep_nothing(st, to.inertia)
         return
     total = Sum(tuple(terms), (1,) * len(terms)) if len(terms) > 1 else terms[0]

@@ -137,10 +137,10 @@ def told_spring(spring: Elastic, spec: LoadSpec, mech: Mechanism) -> Datum:
     ]
     kind = Words("弹簧", "a spring") if spring.stiffness else Words("阻尼器", "a damper")
     if isinstance(spring, Coil):
-        other = Words("机架", "the frame") if spring.against == FRAME else Words.same(spring.against)
-        link = Words("" if spring.against == FRAME else "构件 ", "" if spring.against == FRAME else "link ")
+        other = Words(f"构件 {spring.against} ", f"link {spring.against}")
+        other = Words("机架", "the frame") if spring.against == FRAME else other
         kind = Words("扭簧", "a torsion spring") if spring.stiffness else Words("转动阻尼器", "a rotary damper")
-        where = Words(f"构件 {spring.link} 与{link.zh}{other.zh}之间", f"link {spring.link} and {link.en}{other.en}")
+        where = Words(f"构件 {spring.link} 与{other.zh}之间", f"link {spring.link} and {other.en}")
     else:
         ends = " ".join(f"${letter}$" for letter in (spring.foot, spring.point))
         where = Words(f"{ends.replace(' ', '、')} 两点之间", ends.replace(" ", " and "))
