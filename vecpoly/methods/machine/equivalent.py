@@ -191,11 +191,11 @@ def _in(symbol: str, unit: str) -> Words:
 
 def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     """P = M_e ω: the powers of all loads and weights over the motion of the equivalent link."""
-    given = list(works(st))
-    if not given:
+    if not (st.loads.weight and st.loads.masses) and all(load.size is None for load in st.loads.all):
         keep_nothing(st, to.load)
         return
     st.board.step(_of_power(to.load.symbol, moved.symbol, force=to.slide), View.VELOCITY)
+    given = list(works(st))  # measured in this step
     if not _is_told(st, MEASURED):
         st.board.remark(MEASURED)
     parts = [written_power(st, work) for work in given]
