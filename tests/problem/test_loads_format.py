@@ -198,6 +198,12 @@ def test_a_sense_alone_is_one_radian_per_second_and_is_printed_without_a_number(
     assert problem.given.motion[1].of("en") == f"$ω_1$ {'counter-' if rate > 0 else ''}clockwise"
 
 
+def test_an_unknown_load_of_which_nothing_is_asked_is_not_called_sought() -> None:
+    """Of R_23 alone the data said that M_1 is sought."""
+    asked = [" ".join(told(loads(f"{MOVING}find: [{find}]\n"))) for find in ("M_1, R_23", "R_23")]
+    assert "待求的阻力矩 $M_1$" in asked[0] and "大小未知的阻力矩 $M_1$" in asked[1] and "待求" not in asked[1]
+
+
 def test_the_given_loads_are_printed_in_both_languages() -> None:
     problem = loads(MOVING + RUBBING.replace("}}\n", "}, C: {rho: 4 mm}}\n") + MASSES + "weight: yes\n")
     assert told(problem) == [
