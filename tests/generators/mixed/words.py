@@ -122,7 +122,7 @@ def _mass(rng: Random, mech: Mechanism, name: str, entry: dict[str, object]) -> 
     if not bar:
         letters = held(mech, name)
         return mass if len(letters) == 1 and rng.random() < 0.7 else f"{mass}{inertia}, centre: {rng.choice(letters)}"
-    p, q = bar
+    p, q = bar[0], bar[1]
     length = abs(mech.link(name).points[q] - mech.link(name).points[p]) * 1e3
     match int(rng.integers(4)):
         case 0:
