@@ -9,13 +9,13 @@ from ...words import Words
 from .asks import Ask, AskNamed
 
 
-def refuse_neglected(ask: Ask, loads: Loads | None) -> None:
-    """FaultError for F_I2, M_I2, h_2 beside `inertia: no`: there are none to be found."""
+def kept(ask: Ask, loads: Loads | None) -> Ask:
+    """The question; FaultError for F_I2, M_I2, h_2 beside `inertia: no`: there are none to be found."""
     if loads is None or loads.inertia or not isinstance(ask, AskNamed):
-        return
+        return ask
     key = ask.rel.key
     if key not in {named.key for mass in loads.masses for named in inertia_named(mass)}:
-        return
+        return ask
     raise FaultError(
         Words(
             f"已写 inertia: no（不计惯性力），{key} 无从求起；请删去 {key}，或改写 inertia: yes",

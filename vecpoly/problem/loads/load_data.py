@@ -124,9 +124,8 @@ def _told(load: Load, size: str, direction: str, asked: bool) -> Datum:
         zh, en = f"作用于构件 {load.link}", f"on link {load.link}"
         name = Words(f"{role.zh}力矩" if role.zh else "力矩", f"{role.en}moment")
     if load.size is None:
-        unknown = "待求的" if asked else "大小未知的"
-        return Datum(
-            words=Words(f"{unknown}{name.zh} ${load.name}$ {zh}", f"the unknown {name.en} ${load.name}$ acts {en}")
-        )
+        known = Words("待求的", "the unknown ") if asked else Words("大小未知的", "the unknown ")
+        where = f"${load.name}$ {zh}", f"${load.name}$ acts {en}"
+        return Datum(words=known + name + Words(*(f" {one}" for one in where)))
     told = Words(f"{name.zh} ${load.name}$ = {{}}，{zh}", f"{name.en} ${load.name}$ = {{}} {en}")
     return Datum(symbol=load.name, si=load.size, text=size, words=told)
