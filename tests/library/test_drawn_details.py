@@ -12,6 +12,7 @@ import numpy as np
 from tests.drawn_library import DRAFTED, IDS, drawn
 from tests.drawn_sheets import laid
 from tests.each import Later, each
+from tests.library.test_measured_lettered import letter, overlined
 from vecpoly.board.acts import Locate, Measure
 from vecpoly.board.paper.marks import Point
 from vecpoly.board.ruler import READABLE
@@ -96,12 +97,17 @@ def test_an_answer_read_off_too_short_a_length_is_told_so_in_box_and_table(name:
 
 @each(IDS)
 def test_a_step_says_of_what_it_reads_whether_it_is_too_short_to_be_measured(name: str) -> None:
+    """Of an answer, which is read at the end, the step that has its line."""
     construction = drawn(name).construction
     read: dict[int, list[float]] = {}
     points = {act.key for act in construction.acts if isinstance(act, Locate)}  # whose coordinates are read
+    lines = {step.number: {letter("".join(one)) for one in overlined((step,))} for step in construction.steps}
     for act in construction.acts:
         if isinstance(act, Measure) and act.key not in points:
-            read.setdefault(act.head.step, []).append(abs(act.b - act.a))
+            own, key = act.head.step, letter(act.key)
+            has_it = own in lines and (key in lines[own] or construction.steps[own - 1].listing is not None)
+            later = [] if has_it else [number for number, of_step in lines.items() if key in of_step]
+            read.setdefault(max(later, default=own), []).append(abs(act.b - act.a))
     for step in construction.steps:
         short = [mm for mm in read.get(step.number, []) if 0.06 < mm < READABLE - 0.01]
         told = "过短，量取不可靠" in step.words.zh

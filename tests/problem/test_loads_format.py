@@ -17,7 +17,7 @@ from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
 from vecpoly.check.truth import exact_values
 from vecpoly.devices.base import Device
-from vecpoly.errors import EquilibriumError
+from vecpoly.errors import EquilibriumError, ProblemFileError
 from vecpoly.mechanism.asked.forces import given_value
 from vecpoly.mechanism.loads import Force, Loads, Mass, Moment
 from vecpoly.names import At
@@ -196,6 +196,20 @@ def test_a_sense_alone_is_one_radian_per_second_and_is_printed_without_a_number(
         f"$ω_1$ {'逆' if rate > 0 else '顺'}时针",
     ]
     assert problem.given.motion[1].of("en") == f"$ω_1$ {'counter-' if rate > 0 else ''}clockwise"
+
+
+def test_an_unknown_load_of_which_nothing_is_asked_is_not_called_sought() -> None:
+    """Of R_23 alone the data said that M_1 is sought."""
+    asked = [" ".join(told(loads(f"{MOVING}find: [{find}]\n"))) for find in ("M_1, R_23", "R_23")]
+    assert "待求的阻力矩 $M_1$" in asked[0] and "大小未知的阻力矩 $M_1$" in asked[1] and "待求" not in asked[1]
+
+
+@pytest.mark.parametrize("key", ["F_I2", "M_I2", "h_2"])
+def test_an_inertia_force_that_is_neglected_cannot_be_asked(key: str) -> None:
+    """No method was said to be on file for it."""
+    with pytest.raises(ProblemFileError, match=f"'inertia: no' neglects the inertia forces, so there is no {key}"):
+        loads(f"{MOVING}{MASSES}inertia: no\nfind: [{key}]\n")
+    assert loads(f"{MOVING}{MASSES}find: [{key}]\n").asks
 
 
 def test_the_given_loads_are_printed_in_both_languages() -> None:
@@ -450,7 +464,6 @@ loads: {P_r: {on: 3, at: C, size: "?", direction: 180 deg}, M_1: {on: 1, size: 1
 find: [P_r, P_13, omega_ratio_12, R_43]
 """
     from vecpoly import loads, solve
-    from vecpoly.errors import ProblemFileError
 
     solution = solve(loads(text), by="exact", repeats=0)
     assert [answer.is_place for answer in solution.answers.values()] == [False, True, False, False]

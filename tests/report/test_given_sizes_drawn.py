@@ -61,11 +61,11 @@ def coordinates(name: str) -> Iterator[tuple[str, float]]:
             yield datum.symbol, abs(datum.si)
 
 
-def beside(name: str) -> Iterator[float]:
-    """Offsets of pins from guides, as words tell them (m)."""
+def beside(name: str) -> Iterator[tuple[str, float]]:
+    """Offsets of pins from guides, as words tell them, with their letters (m)."""
     for datum in given(name).given.data:
-        for text in re.findall(r"^offset \$e\$ = ([\d.]+) mm \(\$\w\$ to the", datum.of("en")):
-            yield 1e-3 * float(text)
+        for letter, text in re.findall(r"^offset \$(e\S*)\$ = ([\d.]+) mm \(\$\w\$ to the", datum.of("en")):
+            yield letter, 1e-3 * float(text)
 
 
 @each(Later(lambda: [name for name in IDS if any(radii(name))]))
@@ -128,8 +128,8 @@ def test_an_engine_has_its_sizes_and_the_rod_s_centre_of_mass(name: str) -> None
 @each(Later(lambda: [name for name in IDS if any(beside(name))]))
 def test_the_offset_of_a_pin_from_its_guide_is_drawn(name: str) -> None:
     figure = sketch(name)
-    for size in beside(name):
-        assert "e" in letters(figure) and any(one == pytest.approx(size, rel=1e-4) for one in sizes(figure)), size
+    for letter, size in beside(name):
+        assert letter in letters(figure) and any(one == pytest.approx(size, rel=1e-4) for one in sizes(figure)), size
 
 
 def test_the_line_of_an_offset_guide_bar_has_its_way_from_the_pivot() -> None:

@@ -10,7 +10,7 @@ import pytest
 from tests.drawn_library import DRAFTED, LIBRARY, drafted, given
 from tests.each import each
 from tests.found import DEVICES
-from tests.lawful import CARD, ENGINE, slider
+from tests.lawful import CARD, ENGINE, PLAIN, slider
 from tests.presses import press
 from tests.studies import studied
 from vecpoly.problem.load import load, loads
@@ -47,6 +47,18 @@ def test_what_is_given_names_the_table_by_its_quantities_and_no_file(lang: Lang)
     told = " ".join(datum.of(lang) for datum in load("engine-card").given.loads)
     assert {"zh": "$F$ 由 $p$–$φ$ 数据表给出", "en": "$F$ by the table of $p$ over $φ$"}[lang] in told
     assert ".csv" not in told
+
+
+def test_a_table_over_a_length_tells_what_travels_so_far() -> None:
+    """A reader was given F over s, and not told of what point s is the travel, nor from where it counts."""
+    of_point = " ".join(datum.of("zh") for datum in slider(ENGINE).given.loads)
+    assert "（$s$ 为 $C$ 点沿力的方向自行程起点量起的位移），活塞直径" in of_point
+    driven = PLAIN.replace("{link: 1, phi: 50 deg, omega: 300 r/min ccw}", "{link: 3, s: 200 mm, v: 1 m/s}")
+    rows = "columns: [s (mm), F (N)], rows: [[0, 100], [400, 300]]"
+    pressed = f"F: {{on: 2, at: B, size: {{{rows}}}, direction: 90 deg}}"
+    unknown = 'Q: {on: 3, at: C, size: "?", direction: 0 deg}'
+    of_drive = slider(pressed, unknown=unknown, find="Q", plain=driven.replace("C right of B", "B above AC"))
+    assert "over $s$ ($s$: the travel of the driving link)" in " ".join(one.of("en") for one in of_drive.given.loads)
 
 
 def test_a_table_that_would_fill_pages_is_not_printed() -> None:

@@ -38,6 +38,7 @@ class Prismatic:
     turn: float = 0.0
     through: str = ""  # letter of the point of the guide link from which the line is set out, if any
     towards: str = ""  # where two letters give it: the second
+    aside: str = ""  # letter of the block or of the guide that is said to lie beside the line, if any
     pin_in_slot: bool = False
 
 

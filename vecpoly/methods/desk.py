@@ -18,6 +18,7 @@ from ..names import At, Kind, Rel, ascii_key, subscripted
 from ..plane import Points, Reals
 from ..words import Words
 from .diagram import Diagram
+from .forces.laws.pull import Acted
 from .positions.sides import Sides
 
 FEET = "nmquwxyz"  # letters at tips of normal accelerations, in the order in which they are taken
@@ -52,6 +53,7 @@ class Desk(Diagram):
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     forces: tuple[str, ...] = ()  # keys of what a force analysis found
+    acting: dict[str, Acted] = field(default_factory=dict)  # loads that depend on the motion, as they were found here
     # whether the driving link is only thought to drive, the input acting between two moving links
     thought: bool = False
     # links of a sliding pair → the vector along the guide that was drawn, of the first against the second

@@ -55,8 +55,8 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         desk.letter(name, at * desk.mm(1.0))
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
-        if stage in said:
-            desk.board.step(said[stage], stage.view)
+        if stage in said and not any(step.words.zh.startswith(said[stage].zh) for step in desk.board.steps):
+            desk.board.step(said[stage], stage.view)  # by centres and by a polygon alike it is tried once
         _draw_stage(desk, problem, stage, groups)
     return desk
 

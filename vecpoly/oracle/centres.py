@@ -157,16 +157,11 @@ def limit(mech: Mechanism, pin: str, led: str, rod: str, *, extended: bool) -> f
     with np.errstate(invalid="ignore"):
         changes = np.flatnonzero(sway[1:] * sway[:-1] <= 0)
     for k in changes:
-        low, high = q[k], q[k + 1]
-        for _ in range(ZOOMS):
-            inner = np.linspace(low, high, FINER + 1)
-            f = _sway(turn, inner, pin, led, rod)
-            i = int(np.flatnonzero(f[1:] * f[:-1] <= 0)[0])
-            low, high = inner[i], inner[i + 1]
-        here = _at(turn, np.array([(low + high) / 2]))
+        middle = np.array([_zero(turn, (q[k], q[k + 1]), pin, led, rod)])
+        here = _at(turn, middle)
         a, b, c = (here.place(letter) for letter in (_pivot(mech), pin, led))
         if (float(dot(b - a, c - b)[0]) > 0) is extended and abs(
-            float(_sway(turn, np.array([(low + high) / 2]), pin, led, rod)[0])
+            float(_sway(turn, middle, pin, led, rod)[0])
         ) < 1e-6 * np.nanmax(np.abs(sway)):
             return float(np.degrees(np.angle((b - a)[0]) - mech.drive.zero) % 360.0)
     raise NotAskedError(
@@ -175,6 +170,19 @@ def limit(mech: Mechanism, pin: str, led: str, rod: str, *, extended: bool) -> f
             f"crank and rod are never {'extended' if extended else 'overlapped'}: {led} does not come to rest so",
         )
     )
+
+
+def _zero(turn: Mechanism, between: tuple[float, float], pin: str, led: str, rod: str) -> float:
+    """Where the sway changes its sign, refined to rounding, or as far as it does."""
+    low, high = between
+    for _ in range(ZOOMS):
+        inner = np.linspace(low, high, FINER + 1)
+        f = _sway(turn, inner, pin, led, rod)
+        changed = np.flatnonzero(f[1:] * f[:-1] <= 0)
+        if not changed.size:
+            break
+        low, high = inner[changed[0]], inner[changed[0] + 1]
+    return float(low + high) / 2
 
 
 def _sway(mech: Mechanism, q: Reals, pin: str, led: str, rod: str) -> Reals:

@@ -25,6 +25,7 @@ from .joints.motion import read_input
 from .joints.pins import read_pins
 from .joints.profiles import read_profiles
 from .joints.rolling import is_rolling, read_rolling
+from .joints.slide_data import with_offset
 from .links.bodies import Bodies
 from .links.draft import refuse_frame
 from .links.links import read_link
@@ -75,7 +76,7 @@ def build(tree: Tree, path: Path | None = None, written: Written | None = None) 
         printed=printed,
         errata=tuple(spec.errata),
         tables=tables,
-        given=_given(bodies, motion, acting),
+        given=_given(bodies, mechanism, motion, acting),
         paper=paper_of(spec.sheet.format, spec.sheet.orientation) if spec.sheet else ANY_A4,
         path=path,
         text=tree.text,
@@ -221,9 +222,9 @@ def _inputs(
     return tuple(drives), tuple(motion)
 
 
-def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:
+def _given(bodies: Bodies, mech: Mechanism, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:
     return Given(
-        lengths=tuple(datum for draft in bodies.drafts.values() for datum in draft.lengths),
+        lengths=tuple(with_offset(datum, mech) for draft in bodies.drafts.values() for datum in draft.lengths),
         motion=motion,
         loads=acting,
         letters=bodies.letters(),

@@ -60,6 +60,8 @@ def _sized(at: moving.Moving, load: Load) -> Load:
     match load.law.size:
         case Motor(stall=stall, slope=slope):
             size = stall - slope * at.mech.drive.rate
+        case Table(over=None, period=0.0) as table:
+            size = float(np.interp(at.mech.drive.position, table.places, table.sizes))
         case Table(over=None) as table:
             size = float(np.interp(at.mech.drive.position % table.period, table.places, table.sizes))
         case Table() as table:

@@ -22,14 +22,14 @@ GROUPS: tuple[Group, ...] = (rrr, rrp, rpr, prp, rpp)
 def _made(rng: np.random.Generator, first: Group, more: int, slides: bool = False) -> str:
     """A driver, the group of the family, and up to so many others."""
     sketch = Sketch(rng)
-    (_slide if slides else _crank)(sketch)
+    (slide if slides else crank)(sketch)
     for i in range(1 + int(rng.integers(more + 1))):
-        sketch = _grown(sketch, first if i == 0 else GROUPS[int(rng.integers(len(GROUPS)))])
+        sketch = grown(sketch, first if i == 0 else GROUPS[int(rng.integers(len(GROUPS)))])
     motion_asks(sketch)
     return sketch.yaml()
 
 
-def _grown(sketch: Sketch, group: Group) -> Sketch:
+def grown(sketch: Sketch, group: Group) -> Sketch:
     """The sketch with a group more, in a pose that is no dead point."""
     while True:
         trial = deepcopy(sketch)
@@ -41,7 +41,7 @@ def _grown(sketch: Sketch, group: Group) -> Sketch:
         return trial
 
 
-def _crank(sketch: Sketch) -> None:
+def crank(sketch: Sketch, name: str = "1") -> None:
     """A crank: a bar, a slotted link, a rod."""
     frame, at, way = sketch.bodies[FRAME], sketch.spot(), sketch.some_way()
     a = sketch.letter()
@@ -49,36 +49,35 @@ def _crank(sketch: Sketch) -> None:
     match sketch.one(["bar", "bar", "slot", "rod", "beside"]):
         case "bar":
             end, b = at + way * sketch.between(30, 90), sketch.letter()
-            crank = Body("1", {a: at, b: end}, [f"{a}{b}: {mm(abs(end - at))}"], axis=way)
+            body = Body(name, {a: at, b: end}, [f"{a}{b}: {mm(abs(end - at))}"], axis=way)
         case "beside":
             beside = sketch.between(-30, 30)
-            crank = Body(
-                "1", {a: at}, [f"slot: {{through: {a}, left: {mm(beside)}}}"], way, a, at + 1j * way * beside, way
+            body = Body(
+                name, {a: at}, [f"slot: {{through: {a}, left: {mm(beside)}}}"], way, a, at + 1j * way * beside, way
             )
         case kind:
-            crank = Body("1", {a: at}, [f"{kind}: {a}"], way, a, at, way)
+            body = Body(name, {a: at}, [f"{kind}: {a}"], way, a, at, way)
     rate, accel = sketch.one(["10 rad/s ccw", "40 r/min cw", "3 rad/s", "-8 rad/s"]), sketch.one(["0", "5", "-20"])
-    sketch.input = f"{{link: 1, phi: {deg(turned(way))}, omega: {rate}, alpha: {accel} rad/s^2}}"
-    sketch.add(crank)
-    with_points(sketch, crank)
+    sketch.input = f"{{link: {name}, phi: {deg(turned(way))}, omega: {rate}, alpha: {accel} rad/s^2}}"
+    sketch.add(body)
+    with_points(sketch, body)
 
 
-def _slide(sketch: Sketch) -> None:
+def slide(sketch: Sketch, name: str = "1") -> None:
     """A driving slider on a fixed guide."""
     frame, at, b = sketch.bodies[FRAME], sketch.spot(), sketch.letter()
-    crank = Body("1", {b: at}, [f"block: {b}"], through=b)
-    sketch.add(crank)
+    body = Body(name, {b: at}, [f"block: {b}"], through=b)
+    sketch.add(body)
     led = rail(sketch, frame, at)
     turn = sketch.between(-cmath.pi, cmath.pi) if sketch.chance(0.3) else None
-    crank.way = crank.axis = led.way * cmath.exp(1j * (turn or 0.0))
-    sketch.joints.append(led.sentence("1", b, turn))
+    body.way = body.axis = led.way * cmath.exp(1j * (turn or 0.0))
+    sketch.joints.append(led.sentence(name, b, turn))
     words = led.phrase.split()
     origin = 0j if "=" in words else frame.at[words[3] if "through" in words else words[1][0]]
     travel = ((at - origin) / led.way).real
-    sketch.input = (
-        f"{{link: 1, s: {mm(travel)}, v: {sketch.one(['0.5', '-0.2'])} m/s, a: {sketch.one(['0', '3', '-2'])} m/s^2}}"
-    )
-    with_points(sketch, crank)
+    rate, accel = sketch.one(["0.5", "-0.2"]), sketch.one(["0", "3", "-2"])
+    sketch.input = f"{{link: {name}, s: {mm(travel)}, v: {rate} m/s, a: {accel} m/s^2}}"
+    with_points(sketch, body)
 
 
 @family("linkage-rrr")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
-from ...algebra.formula import adjoined, plain
+from ...algebra.formula import adjoined, letters_node, plain
 from ...algebra.quantity import number
 from ...algebra.rounding import in_tenths
 from ...foundation.slotted import dataclass, replace
@@ -59,8 +60,17 @@ def remarked(steps: Sequence[Step], short: Iterable[Short]) -> tuple[Step, ...]:
     """The steps, each with what was too short of the lengths that its lines or its table use."""
     found = dict[int, list[Short]]()
     for one in short:
-        found.setdefault(one.step, []).append(one)
+        found.setdefault(_read_in(one, steps), []).append(one)
     return tuple(_with(step, found.get(step.number, [])) for step in steps)
+
+
+def _read_in(one: Short, steps: Sequence[Step]) -> int:
+    """The step whose lines use the length: an answer is read off the finished drawing, and its line stands earlier."""
+    used = re.compile(rf"(?<![\w′^]){re.escape(plain(letters_node(one.letters)))}(?![\w′^])")
+    lines = {step.number: any(used.search(plain(line)) for line in step.formulas) for step in steps}
+    if lines.get(one.step) or any(step.listing for step in steps if step.number == one.step):
+        return one.step
+    return next((number for number, uses in reversed(lines.items()) if uses), one.step)
 
 
 def _with(step: Step, short: Sequence[Short]) -> Step:

@@ -66,6 +66,7 @@ def ratio(mech: Mechanism, a: str, b: str) -> Named:
 def crank_groups(mech: Mechanism) -> tuple[tuple[str, str, str], ...]:
     """(pin of the crank, point that is led,
     rod) where a rod hangs on the crank and the led point runs on a fixed circle or line."""
+    profiles = {one.centre for one in mech.cams}  # of which the rod is another at every place
     try:
         groups = () if mech.drive.slide else decompose(mech)
     except MobilityError:
@@ -79,7 +80,10 @@ def crank_groups(mech: Mechanism) -> tuple[tuple[str, str, str], ...]:
         found += [
             (outer.point, d.inner.point, rod)
             for outer, parent, rod, other in hung
-            if isinstance(outer, Revolute) and parent == mech.drive.link and other == FRAME
+            if isinstance(outer, Revolute)
+            and parent == mech.drive.link
+            and other == FRAME
+            and outer.point not in profiles
         ]
     return tuple(found)
 

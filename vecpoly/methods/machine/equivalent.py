@@ -67,6 +67,9 @@ def _reduce(st: Statics, to: Equivalent) -> None:
     if st.loads.masses:
         _inertia(st, to, moved)
     else:
+        st.board.remark(
+            Words(f"各构件不计质量，故 ${to.inertia.symbol}$ = 0。", f" No link has a mass: ${to.inertia.symbol}$ = 0.")
+        )
         keep_nothing(st, to.inertia)
     _load(st, to, moved)
 
@@ -107,6 +110,12 @@ def _inertia(st: Statics, to: Equivalent, moved: Motion) -> None:
         links = [st.mech.number(mass.link) for mass in st.loads.masses]
         st.board.tabulate(_table(moved, links, rows, to.inertia.unit))
     if not terms:
+        st.board.remark(
+            Words(
+                f"各质量都没有动能，故 ${to.inertia.symbol}$ = 0。",
+                f" No mass has kinetic energy: ${to.inertia.symbol}$ = 0.",
+            )
+        )
         keep_nothing(st, to.inertia)
         return
     total = Sum(tuple(terms), (1,) * len(terms)) if len(terms) > 1 else terms[0]
@@ -182,11 +191,11 @@ def _in(symbol: str, unit: str) -> Words:
 
 def _load(st: Statics, to: Equivalent, moved: Motion) -> None:
     """P = M_e ω: the powers of all loads and weights over the motion of the equivalent link."""
-    given = list(works(st))
-    if not given:
+    if not (st.loads.weight and st.loads.masses) and all(load.size is None for load in st.loads.all):
         keep_nothing(st, to.load)
         return
     st.board.step(_of_power(to.load.symbol, moved.symbol, force=to.slide), View.VELOCITY)
+    given = list(works(st))  # measured in this step
     if not _is_told(st, MEASURED):
         st.board.remark(MEASURED)
     parts = [written_power(st, work) for work in given]

@@ -24,6 +24,7 @@ from ..schema.models import FindSpec, ProblemSpec
 from .asks import Ask, AskNamed
 from .curved import centrode_asks, curvature_of, curved_quantities, is_curved, known_quantities, read_centrodes
 from .drawn_to import plottable, read_scales
+from .neglected import kept
 from .pressed import pressed_quantities
 from .printed import read_printed
 from .unasked import default_asks
@@ -60,7 +61,7 @@ def read_wanted(
             asks += centrode_asks(mechanism, centrodes) if centrodes else ()
         elif clean:
             with faults.at("find", i):
-                asks.append(numbered(read_find(item, bodies, named, forces), spec))
+                asks.append(kept(numbered(read_find(item, bodies, named, forces), spec), loads))
     for i, entry in enumerate(spec.printed):
         with faults.at("printed", i):
             printed.append(read_printed(entry, bodies, named, forces))

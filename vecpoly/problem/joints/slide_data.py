@@ -6,11 +6,15 @@ import re
 from math import degrees
 
 from ...foundation.indices import LETTER
+from ...foundation.slotted import replace
+from ...mechanism.model import Mechanism, Prismatic
+from ...mechanism.offsets import offset_symbol
 from ...units.reading import Dim, read
 from ...words import Words
 from ..links.draft import Draft
 from ..links.guides import LINK
 from ..problem import Shape
+from ..values.given import Datum
 from ..values.leaning import at_angle, side_of
 from ..values.seen import Beside, Leaning
 
@@ -21,22 +25,35 @@ RIGHT = 90.0  # degrees: an angle that has no sense
 _LEVEL = Words("水平方向", "the horizontal")
 
 
-def note_aside(m: re.Match[str], draft: Draft) -> None:
-    """Remember an offset for 已知."""
+OFFSET = "$e$"  # as it is said until all guides are known: see `offset_symbol`
+
+
+def note_aside(m: re.Match[str], draft: Draft, block: str, guide: str) -> None:
+    """Remember the offset of a guide for 已知."""
     side = "左" if m["side"] == "left" else "右"
     draft.say(
         Words(
-            f"偏距 $e$ = {m['offset']}（${m['off']}$ 在导路{side}侧）",
-            f"offset $e$ = {m['offset']} (${m['off']}$ to the {m['side']} of the guide)",
+            f"偏距 {OFFSET} = {m['offset']}（${m['off']}$ 在导路{side}侧）",
+            f"offset {OFFSET} = {m['offset']} (${m['off']}$ to the {m['side']} of the guide)",
         ),
-        Beside(letter=m["off"]),
+        Beside(letter=m["off"], block=block, guide=guide),
     )
 
 
-def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
+def with_offset(datum: Datum, mech: Mechanism) -> Datum:
+    """What is said of an offset, by its own symbol; any other datum as it is."""
+    if not isinstance(seen := datum.seen, Beside) or datum.words is None:
+        return datum
+    slides = (joint for joint in mech.joints if isinstance(joint, Prismatic))
+    joint = next(one for one in slides if (one.block, one.guide, one.aside) == (seen.block, seen.guide, seen.letter))
+    symbol = f"${offset_symbol(mech, joint)}$"
+    return replace(datum, words=Words(datum.words.zh.replace(OFFSET, symbol), datum.words.en.replace(OFFSET, symbol)))
+
+
+def note_slide(m: re.Match[str], block: Draft, guide: str, pin: str) -> None:
     """Remember the data of a sliding joint for 已知."""
     if m["offset"]:
-        note_aside(m, block)
+        note_aside(m, block, block.name, guide)
     note_fixed(m["guide"], block, pin)
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)

@@ -52,7 +52,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     pin = m["off"] or m["pin"] or next(iter(block.points))
     if pin not in block.points:
         raise not_on_link(pin, block.name, block.points)
-    note_slide(m, block, pin)
+    note_slide(m, block, guide, pin)
     return Prismatic(
         guide=guide,
         block=block.name,
@@ -62,6 +62,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
         through=line.through,
         towards=line.towards,
         offset=_left(m),
+        aside=pin if m["offset"] else "",
         turn=read(m["turn"], Dim.ANGLE).si if m["turn"] else 0.0,
     )
 
@@ -109,7 +110,8 @@ def _through(rod: str, through: str, m: re.Match[str], bodies: Bodies, pin: str 
     if beside is None:
         return joint
     if m["offset"]:
-        note_aside(m, guide if beside in guide.points else block)
+        joint = replace(joint, aside=beside)
+        note_aside(m, guide if beside in guide.points else block, through, rod)
     if beside in guide.points:
         return replace(joint, origin=_beside(line, guide, beside, _left(m)))
     if beside not in block.points:

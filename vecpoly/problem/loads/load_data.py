@@ -21,7 +21,8 @@ _SENSE = re.compile(rf"\s*{SENSE}\s*$")
 
 def data_of_loads(spec: ProblemSpec, loads: Loads, mech: Mechanism) -> tuple[Datum, ...]:
     """The loads for 已知, and whether weights and inertia forces count."""
-    data = [_lawful(load, spec.loads[load.name]) for load in loads.all if load.name in spec.loads]
+    acting = (load for load in loads.all if load.name in spec.loads)
+    data = [_lawful(load, spec.loads[load.name], not spec.find or load.name in spec.find) for load in acting]
     data += [told_spring(spring, spec.loads[spring.name], mech) for spring in loads.springs]
     if loads.constant is not None:
         data.append(told_constant(loads.constant))
@@ -32,8 +33,8 @@ def data_of_loads(spec: ProblemSpec, loads: Loads, mech: Mechanism) -> tuple[Dat
     return tuple(data)
 
 
-def _lawful(load: Load, spec: LoadSpec) -> Datum:
-    """A load, with when it acts."""
+def _lawful(load: Load, spec: LoadSpec, asked: bool) -> Datum:
+    """A load, with when it acts; asked: whether an unknown one is sought, or only balances the others."""
     size = load.law.size if load.law is not None else None
     when = told_windows(load, spec)
     match size:
@@ -44,7 +45,7 @@ def _lawful(load: Load, spec: LoadSpec) -> Datum:
         case Motor():
             return told_motor(load, spec)
         case None:
-            plain = _told(load, _sensed(load, written(str(spec.size))), _direction(spec))
+            plain = _told(load, _sensed(load, written(str(spec.size))), _direction(spec), asked)
             return replace(plain, words=plain.words + when) if plain.words is not None else plain
         case other:
             assert_never(other)
@@ -109,7 +110,7 @@ def _towards(direction: str) -> Words:
 _ROLE = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting": Words("阻", "resisting ")}
 
 
-def _told(load: Load, size: str, direction: str) -> Datum:
+def _told(load: Load, size: str, direction: str, asked: bool) -> Datum:
     role = _ROLE[load.role]
     if isinstance(load, Force) and load.against:
         zh = f"为油缸 {load.against}-{load.link} 的推力，使其伸长者为正"
@@ -123,8 +124,8 @@ def _told(load: Load, size: str, direction: str) -> Datum:
         zh, en = f"作用于构件 {load.link}", f"on link {load.link}"
         name = Words(f"{role.zh}力矩" if role.zh else "力矩", f"{role.en}moment")
     if load.size is None:
-        return Datum(
-            words=Words(f"待求的{name.zh} ${load.name}$ {zh}", f"the unknown {name.en} ${load.name}$ acts {en}")
-        )
+        known = Words("待求的", "the unknown ") if asked else Words("大小未知的", "the unknown ")
+        where = f"${load.name}$ {zh}", f"${load.name}$ acts {en}"
+        return Datum(words=known + name + Words(*(f" {one}" for one in where)))
     told = Words(f"{name.zh} ${load.name}$ = {{}}，{zh}", f"{name.en} ${load.name}$ = {{}} {en}")
     return Datum(symbol=load.name, si=load.size, text=size, words=told)

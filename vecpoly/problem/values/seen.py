@@ -56,9 +56,11 @@ class Round:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Beside:
-    """A guide passes this letter at the offset e."""
+    """A guide passes this letter, of its block or of its own, at an offset."""
 
     letter: str
+    block: str
+    guide: str
 
 
 def counted(link: str, joint: Prismatic) -> Counted | None:

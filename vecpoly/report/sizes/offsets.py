@@ -10,8 +10,9 @@ from ...board.construction import Figure
 from ...board.paper.marks import Mark, Point
 from ...cycle.sample import sample
 from ...mechanism.model import FRAME, Mechanism, Prismatic
+from ...mechanism.offsets import offset_symbol
 from ...problem.problem import Problem
-from ...problem.values.seen import Beside, OffItsGuide
+from ...problem.values.seen import OffItsGuide
 from .lines import angle, span
 from .set_off import in_degrees
 
@@ -26,17 +27,18 @@ def mechanism(problem: Problem, figure: Figure) -> Iterator[Mark]:
     mech, spots = problem.mechanism, {m.label: m.at for m in figure.marks if isinstance(m, Point) and m.label}
     slides = [j for j in mech.joints if isinstance(j, Prismatic) and not j.pin_in_slot]
     guides = [j for j in slides if j.guide != FRAME]
-    named = any(isinstance(datum.seen, Beside) for datum in problem.given.data)
-    for joint in slides if named else ():
-        if joint.guide == FRAME and joint.offset and joint.pin in spots:
+    for joint in slides:
+        if joint.guide == FRAME and joint.aside and joint.pin in spots:
             along = cmath.rect(1.0, joint.direction)
-            yield from _from_pin(spots[joint.pin], along, joint.offset / figure.scale.value, -along)
+            symbol = offset_symbol(mech, joint)
+            yield from _from_pin(symbol, spots[joint.pin], along, joint.offset / figure.scale.value, -along)
     if not guides:
         return
     motion = sample(mech, None, mech.drive.position).motion
     turns = {joint: float(motion.angle(joint.guide)) + joint.direction for joint in guides}
-    for joint in guides if named else ():
-        yield from _offset(mech, joint, cmath.rect(1.0, turns[joint]), spots, figure.scale.value)
+    for joint in guides:
+        if joint.aside:
+            yield from _offset(mech, joint, cmath.rect(1.0, turns[joint]), spots, figure.scale.value)
     for datum in problem.given.data:
         if isinstance(told := datum.seen, OffItsGuide) and {told.at, told.end} <= set(spots) and _opens(told.turn):
             way = next((turn for joint, turn in turns.items() if told.link in (joint.block, joint.guide)), None)
@@ -51,19 +53,19 @@ def _offset(
     pivot = next((p for p in mech.link(joint.guide).points if p in spots and p != joint.pin), "")
     if not pivot or joint.pin not in spots:
         return
-    ray = spots[joint.pin] - spots[pivot]
+    symbol, ray = offset_symbol(mech, joint), spots[joint.pin] - spots[pivot]
     if joint.offset:
         away = along if (along.conjugate() * ray).real > 0 else -along
-        yield from _from_pin(spots[joint.pin], along, joint.offset / mm, away)
+        yield from _from_pin(symbol, spots[joint.pin], along, joint.offset / mm, away)
         return
     foot = spots[pivot] + 1j * along * (along.conjugate() * ray).imag
     ahead = along if (along.conjugate() * ray).real > 0 else -along
-    yield from span(spots[pivot], foot, "e", _BESIDE * ahead)
+    yield from span(spots[pivot], foot, symbol, _BESIDE * ahead)
 
 
-def _from_pin(pin: complex, along: complex, off: float, away: complex) -> Iterator[Mark]:
+def _from_pin(symbol: str, pin: complex, along: complex, off: float, away: complex) -> Iterator[Mark]:
     """e from a pin, so far to the left of its guide, to the guide."""
-    yield from span(pin, pin - 1j * along * off, "e", _BESIDE * away)
+    yield from span(pin, pin - 1j * along * off, symbol, _BESIDE * away)
 
 
 def _opens(turn: float) -> bool:

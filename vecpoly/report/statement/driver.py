@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...foundation.slotted import replace
 from ...mechanism.asked.forces import load_symbol
 from ...mechanism.loads import Force, Load, Loads
 from ...mechanism.model import Mechanism
@@ -13,6 +14,8 @@ from ...words import Words
 def driver(problem: Problem) -> Words:
     """A sentence without its end: link 1 drives; or gives the position only, where it carries the resistance."""
     mech = problem.mechanism
+    if len(mech.drives) > 1:
+        return _several(mech)
     told, loads = driver_words(mech), driving_elsewhere(mech, loads_of(problem))
     en = told.en[0].upper() + told.en[1:]
     if not loads:
@@ -32,6 +35,16 @@ def driver(problem: Problem) -> Words:
         f"{en} gives the position and is taken as the input link, though the driving {kind.en}{'s' * several} "
         f"${names[1]}$ act{'s' * (not several)} on link{'s' * (len(links) > 1)} {', '.join(links)}",
     )
+
+
+def _several(mech: Mechanism) -> Words:
+    """Of a mechanism of several degrees of freedom: links 1 and 4 drive."""
+    if not any(drive.between for drive in mech.drives):
+        links = [drive.link for drive in mech.drives]
+        return Words(f"构件 {'、'.join(links)} 为原动件", f"Links {', '.join(links[:-1])} and {links[-1]} drive")
+    told = [driver_words(replace(mech, drives=(drive,))) for drive in mech.drives]
+    en = " and ".join(one.en for one in told)
+    return Words(f"{'、'.join(one.zh.strip() for one in told)} 为原动件", f"{en[0].upper()}{en[1:]} drive")
 
 
 def loads_of(problem: Problem) -> Loads | None:

@@ -75,7 +75,8 @@ def _is_met(st: Statics, two: TwoForce, held: Held, load: Resultant) -> bool:
     a couple, whether a link under a couple alone bears it."""
     if not load.is_couple:
         return not _parallel(st, load, two)
-    slotted = two.link in st.mech.slot_pins  # no block: nothing can be taken apart from the loaded link
+    # no block, no rod: nothing can be taken apart from the loaded link
+    slotted = two.link in st.mech.slot_pins or two.contact is not None
     rubbed = any(on == held.link for _, on in st.couples)  # a friction couple may turn round the force that balances it
     return slotted or not (load.forces or rubbed or not isinstance(held.joint, Revolute))
 

@@ -11,7 +11,7 @@ from ....foundation.slotted import replace
 from ....mechanism.asked.forces import load_named
 from ....mechanism.laws.acting import is_beyond, place_in, tabulated
 from ....mechanism.laws.sizes import Law, Motor, Table
-from ....mechanism.laws.springs import Coil
+from ....mechanism.laws.springs import Coil, Elastic
 from ....mechanism.laws.told import beyond
 from ....mechanism.loads import Force, Load, Loads, Moment
 from ....names import Named
@@ -19,7 +19,7 @@ from ....plane import Reals, nominal
 from ....words import Words
 from ...desk import Desk
 from .off_paper import OffPaper
-from .pull import Pull
+from .pull import Acted, Pull
 from .springs import pulled, turned
 from .within import tell_windows
 
@@ -33,35 +33,51 @@ def found_loads(desk: Desk, loads: Loads) -> tuple[Loads, Pulls]:
     """
     at, pulls = OffPaper(desk), Pulls()
     found: list[Load] = []
-    for load in loads.at(desk.mech).all:
-        here = load if load.law is None else _lawful(at, load, pulls)
-        found += [] if here is None else [here]
-    for spring in loads.springs:
-        forces, read = turned(at, spring) if isinstance(spring, Coil) else pulled(at, spring)
-        found += forces
-        pulls |= read
+    for one in (*loads.at(desk.mech).all, *loads.springs):
+        here = _once(at, one)
+        found += here.loads
+        pulls |= here.pulls
     forces_ = tuple(one for one in found if isinstance(one, Force))
     moments = tuple(one for one in found if isinstance(one, Moment))
     return replace(loads, forces=forces_, moments=moments, springs=()), pulls
 
 
-def _lawful(at: OffPaper, load: Load, pulls: Pulls) -> Load | None:
-    """The load as it acts here; None where it does not."""
+def _once(at: OffPaper, one: Load | Elastic) -> Acted:
+    """What it does here; what was read already, for the reactions, is not read and told again."""
+    if isinstance(one, Force | Moment) and one.law is None:
+        return Acted(of=one, loads=(one,))
+    known = at.desk.acting.get(one.name)
+    if known is None or known.of != one:
+        known = at.desk.acting[one.name] = _found(at, one)
+    return known
+
+
+def _found(at: OffPaper, one: Load | Elastic) -> Acted:
+    if isinstance(one, Force | Moment):
+        return _lawful(at, one)
+    loads, pulls = turned(at, one) if isinstance(one, Coil) else pulled(at, one)
+    return Acted(of=one, loads=loads, pulls=pulls)
+
+
+def _lawful(at: OffPaper, load: Load) -> Acted:
+    """The load as it acts here, or that it does not."""
     assert load.law is not None
     named, size = load_named(load), load.law.size
     at.desk.board.step(_opening(named, load.law))
     if not tell_windows(at, named, load.law.windows):
         _keep(at, named, 0.0)
-        return None
+        return Acted(of=load)
     if size is None:
         assert load.size is not None
         _keep(at, named, load.size)
-        return replace(load, law=None)
+        return Acted(of=load, loads=(replace(load, law=None),))
     value = (_motor(at, load, size) if isinstance(size, Motor) else _by_table(at, load, size)).value
     _keep(at, named, value)
     along = complex(np.exp(1j * load.direction)) if isinstance(load, Force) else 1 + 0j
-    pulls[load.name] = Pull(size=value, along=along)
-    return replace(load, law=None, size=float(nominal(value))) if float(nominal(value)) else None
+    pull = {load.name: Pull(size=value, along=along)}
+    if not float(nominal(value)):
+        return Acted(of=load, pulls=pull)
+    return Acted(of=load, loads=(replace(load, law=None, size=float(nominal(value))),), pulls=pull)
 
 
 def _opening(named: Named, law: Law) -> Words:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
+from ....mechanism.laws.springs import Elastic
+from ....mechanism.loads import Load
 from ....plane import Points, Reals
 
 
@@ -13,3 +16,12 @@ class Pull:
 
     size: Reals
     along: Points = 1 + 0j
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Acted:
+    """What a load that depends on the motion, or a spring, does in this position: it is told once."""
+
+    of: Load | Elastic
+    loads: tuple[Load, ...] = ()
+    pulls: Mapping[str, Pull] = field(default_factory=dict)

@@ -119,7 +119,7 @@ def turned(at: OffPaper, coil: Coil) -> tuple[tuple[Moment, ...], dict[str, Pull
     board = at.desk.board
     named = spring_named(coil)
     other = (
-        Words("机架", "the frame") if coil.against == FRAME else Words(f"构件 {coil.against}", f"link {coil.against}")
+        Words("机架", "the frame") if coil.against == FRAME else Words(f"构件 {coil.against} ", f"link {coil.against}")
     )
     what = Words("扭簧", "torsion spring") if coil.stiffness else Words("转动阻尼器", "rotary damper")
     board.step(

@@ -17,6 +17,7 @@ from .mesh import Mesh
 
 HALF = 20.0  # mm of the common tangent and of the line of action to either side of the pitch point
 ARC = 15.0  # mm, radius of the mark of α
+_PRESSED = "alpha"  # the pressure angle of the driven link, where it is asked too
 
 
 def line_of_teeth(st: Statics, mesh: Mesh, load: Resultant) -> Line:
@@ -76,13 +77,27 @@ def _told(st: Statics, mesh: Mesh) -> Words:
     )
     if st.pushed_before(mesh.by, mesh.held.link) is not None:
         need = Words("的指向由不计摩擦的力分析得知", "presses as it does without friction")
+    angle = flank_words(st)
     return Words(
         f"构件 {i}、{j} 的轮齿在节点 ${h}$ 啮合，不计齿面摩擦：${symbol}$ 沿啮合线，过 ${h}$，与节圆公切线 $t–t$ 成"
-        f"压力角 $α$ = {alpha}；${symbol}$ {need.zh}；齿面间只能受压，由此确定工作齿面及其啮合线。",
+        f"{angle.zh} = {alpha}；${symbol}$ {need.zh}；齿面间只能受压，由此确定工作齿面及其啮合线。",
         f"The teeth of links {i} and {j} mesh at the pitch point ${h}$. Without friction on the flanks ${symbol}$ acts "
-        f"along the line of action, through ${h}$ at the pressure angle $α$ = {alpha} to the common tangent $t–t$. "
+        f"along the line of action, through ${h}$ at the {angle.en} = {alpha} to the common tangent $t–t$. "
         f"The force ${symbol}$ {need.en}, and teeth can only press: this determines the flank.",
     )
+
+
+def flank(st: Statics) -> str:
+    """The angle of the line of action: α, or α' where the pressure angle α of the driven link is marked as well."""
+    return "α'" if _PRESSED in st.board.found else "α"
+
+
+def flank_words(st: Statics) -> Words:
+    """What that angle is called, and its symbol."""
+    symbol = flank(st)
+    if symbol == "α":
+        return Words(f"压力角 ${symbol}$", f"pressure angle ${symbol}$")
+    return Words(f"啮合角 ${symbol}$", f"working pressure angle ${symbol}$")
 
 
 def _pin(mesh: Mesh) -> str:
@@ -98,4 +113,4 @@ def draw_line_of_action(st: Statics, mesh: Mesh, h: Points, along: Points, tange
     board.join(View.MECHANISM, h - along * HALF, h + along * HALF, Role.DIRECTION, key=named.key)
     board.plot(View.MECHANISM, h + along * HALF, named.symbol, Dot.NONE, key=named.key)
     if mesh.teeth.alpha:
-        board.angle(View.MECHANISM, h, -toward, np.angle(along / toward), ARC, "α")
+        board.angle(View.MECHANISM, h, -toward, np.angle(along / toward), ARC, flank(st))

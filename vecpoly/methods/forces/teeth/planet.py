@@ -29,7 +29,7 @@ from ..lines.resultant import Resultant
 from ..readings import write_sizes
 from ..state import Statics
 from .carried import Carried, carried_of
-from .line_of_action import draw_line_of_action
+from .line_of_action import draw_line_of_action, flank_words
 from .mesh import Mesh
 
 HALF = 8.0  # mm of the line of R^t to either side of the planet's pin
@@ -127,12 +127,13 @@ def _told(st: Statics, one: Carried, pair: tuple[Mesh, Mesh]) -> Words:
     h, k, bar = mesh.teeth.point, other.teeth.point, st.desk.bar(one.arm, one.pivot, one.pin)
     symbol, rest = (st.named(each.by, one.planet).symbol for each in pair)
     held, alpha = st.named(one.arm, one.planet).symbol, f"{degrees(mesh.teeth.alpha):g}°"
+    angle = flank_words(st)
     return Words(
-        f"构件 {i}、{number} 的轮齿在节点 ${h}$ 啮合，不计齿面摩擦，${symbol}$ 沿啮合线，与节圆公切线成压力角 "
-        f"$α$ = {alpha}；${rest}$ 过节点 ${k}$，${held}$ 沿 ${bar}$ 的分力也过 ${k}$，故由构件 {number} 的 "
+        f"构件 {i}、{number} 的轮齿在节点 ${h}$ 啮合，不计齿面摩擦，${symbol}$ 沿啮合线，与节圆公切线成"
+        f"{angle.zh} = {alpha}；${rest}$ 过节点 ${k}$，${held}$ 沿 ${bar}$ 的分力也过 ${k}$，故由构件 {number} 的 "
         f"$ΣM_{k}$ = 0 求 ${symbol}$（{_FLANK}）：",
         f"The teeth of links {i} and {number} mesh at the pitch point ${h}$; without friction on the flanks "
-        f"${symbol}$ acts along the line of action, at the pressure angle $α$ = {alpha} to the common tangent. The "
+        f"${symbol}$ acts along the line of action, at the {angle.en} = {alpha} to the common tangent. The "
         f"reaction ${rest}$ passes through ${k}$, and so does the part of ${held}$ along ${bar}$: $ΣM_{k}$ = 0 of "
         f"link {number} gives ${symbol}$ and its sense; teeth can only press, which determines the flank:",
     )

@@ -11,7 +11,8 @@ from ....algebra.quantity import number
 from ....board.construction import View
 from ....board.paper.marks import Role
 from ....mechanism.gearing import pitch_circles
-from ....mechanism.model import FRAME, Drive, Prismatic
+from ....mechanism.model import FRAME, Drive, Mechanism, Prismatic
+from ....mechanism.offsets import offset_symbol
 from ....mechanism.travel import counted_from
 from ....plane import ahead, nominal
 from ....words import Words
@@ -170,14 +171,14 @@ def position_slide(desk: Desk, drive: Drive) -> None:
     """Step off the travel along the fixed guide."""
     joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
     board = desk.board
-    board.step(_slid(joint), View.MECHANISM)
+    board.step(_slid(desk.mech, joint), View.MECHANISM)
     line = desk.locus(joint, drive.link, joint.pin)
     travel = board.given(drive.position, drive.key) / board.scales[View.MECHANISM].value
     desk.letter(joint.pin, board.lay_off(line.at, line.along, travel))
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
 
 
-def _slid(joint: Prismatic) -> Words:
+def _slid(mech: Mechanism, joint: Prismatic) -> Words:
     """Along the guide, or along the parallel on which a pin beside it moves."""
     start, size, pin = counted_from(joint), f"$s_{joint.block}/μ_l$", joint.pin
     if not joint.offset:
@@ -187,11 +188,12 @@ def _slid(joint: Prismatic) -> Words:
             f"${pin}$.",
         )
     side, side_en = ("左", "left") if joint.offset > 0 else ("右", "right")
+    off = f"${offset_symbol(mech, joint)}/μ_l$"
     foot, foot_en = ("的垂足起", " (its foot on the parallel)") if joint.through else ("", "")
     return Words(
-        f"取 $μ_l$，在固定导路{side}侧作与其相距 $e/μ_l$ 的平行线，{start.zh}{foot}沿其截取构件 {joint.block} 的位移 "
+        f"取 $μ_l$，在固定导路{side}侧作与其相距 {off} 的平行线，{start.zh}{foot}沿其截取构件 {joint.block} 的位移 "
         f"{size}，得 ${pin}$。",
-        f"To the scale $μ_l$ draw the parallel to the fixed guide of link {joint.block}, $e/μ_l$ to its {side_en}, and "
+        f"To the scale $μ_l$ draw the parallel to the fixed guide of link {joint.block}, {off} to its {side_en}, and "
         f"step off the travel {size} on it {start.en}{foot_en}: ${pin}$.",
     )
 

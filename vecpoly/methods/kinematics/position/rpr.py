@@ -9,6 +9,7 @@ from ....board.paper.marks import Dot, Role
 from ....errors import AssemblyError
 from ....mechanism.groups.assur import Dyad
 from ....mechanism.model import Prismatic, Revolute
+from ....mechanism.offsets import offset_symbol
 from ....plane import Points, distance, nominal, unit
 from ....words import Words
 from ...desk import Desk
@@ -97,10 +98,20 @@ def _touching(desk: Desk, joint: Prismatic, q: str, p: str) -> Words:
     )
     along = Words(f"，得构件 {i} 的导路方向", f": the guide of link {i} is parallel to it")
     end = is_guide if passes else through if holds else along
-    radius = Words("偏距 $e/μ_l$", "the offset $e/μ_l$") if passes or holds else _between(desk, joint, q, p)
+    radius = _away(desk, joint, p if passes else q) if passes or holds else _between(desk, joint, q, p)
     return Words(
         f"以 ${p}$ 为圆心、{radius.zh}为半径作弧，过 ${q}$ 作其切线{end.zh}",
         f"From ${q}$ draw the tangent to the arc about ${p}$ with {radius.en} as radius{end.en}",
+    )
+
+
+def _away(desk: Desk, joint: Prismatic, letter: str) -> Words:
+    """How far from the guide the one of both is that does not lie on it: by its offset, where such is given of it."""
+    if letter == joint.aside:
+        symbol = offset_symbol(desk.mech, joint)
+        return Words(f"偏距 ${symbol}/μ_l$", f"the offset ${symbol}/μ_l$")
+    return Words(
+        f"$r/μ_l$（$r$ 为 ${letter}$ 到导路的距离）", f"$r/μ_l$ ($r$: the distance of ${letter}$ from the guide)"
     )
 
 
@@ -108,15 +119,15 @@ def _between(desk: Desk, joint: Prismatic, q: str, p: str) -> Words:
     """How far the pin is from the line through the pivot along the guide, where neither of them lies on the guide."""
     alike = desk.offset(joint, joint.guide, q) * desk.offset(joint, joint.block, p) > 0
     return Words(
-        f" $r/μ_l$（$r$ 为 ${p}$、${q}$ 到导路的距离之{'差' if alike else '和'}）",
+        f"$r/μ_l$（$r$ 为 ${p}$、${q}$ 到导路的距离之{'差' if alike else '和'}）",
         f"$r/μ_l$ ($r$: the {'difference' if alike else 'sum'} of the distances of ${p}$ and ${q}$ from the guide)",
     )
 
 
 def _letter(desk: Desk, joint: Prismatic, q: str, p: str) -> str:
     """What the radius is called in the figure: the offset of the one that is off the guide, or r of both."""
-    apart = [abs(desk.offset(joint, *one)) for one in ((joint.guide, q), (joint.block, p))]
-    return "r = e" if min(apart) < 1e-9 else "r"
+    off = [one for link, one in ((joint.guide, q), (joint.block, p)) if abs(desk.offset(joint, link, one)) > 1e-9]
+    return f"r = {offset_symbol(desk.mech, joint)}" if off == [joint.aside] else "r"
 
 
 def _tangent(q: str, p: str, offset: float) -> Words:

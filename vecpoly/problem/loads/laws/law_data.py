@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from ....mechanism.laws.sizes import Table
 from ....mechanism.laws.springs import Coil, Elastic
 from ....mechanism.laws.windows import During, Moving, Turning
 from ....mechanism.loads import Constant, Load
@@ -73,11 +74,24 @@ def told_table(load: Load, spec: LoadSpec) -> Datum:
         text = written(area)
         piston = Words(f"，活塞{which.zh} {text}", f", {which.en} of the piston {text}")
     return Datum(
-        words=by_table(f"${load.name}$", sizes, over) + piston,
+        words=by_table(f"${load.name}$", sizes, over) + _counted(load, over) + piston,
         table=GivenTable(
             head=tuple(f"{symbol} /{unit}" for symbol, unit in heads),
             rows=tuple(tuple(str(cell).strip().replace("-", "−") for cell in row) for row in spec.size.rows),
         ),
+    )
+
+
+def _counted(load: Load, place: str) -> Words:
+    """Of what a table over a length tells the sizes: of the travel of the load's point, or of the driving slider."""
+    table = load.law.size if load.law is not None else None
+    if not isinstance(table, Table) or table.period:
+        return Words("", "")
+    if table.over is None:
+        return Words(f"（{place} 为原动件的位移）", f" ({place}: the travel of the driving link)")
+    return Words(
+        f"（{place} 为 ${table.over.point}$ 点沿力的方向自行程起点量起的位移）",
+        f" ({place}: the travel of ${table.over.point}$ along the force from the beginning of its stroke)",
     )
 
 
@@ -123,10 +137,10 @@ def told_spring(spring: Elastic, spec: LoadSpec, mech: Mechanism) -> Datum:
     ]
     kind = Words("弹簧", "a spring") if spring.stiffness else Words("阻尼器", "a damper")
     if isinstance(spring, Coil):
-        other = Words("机架", "the frame") if spring.against == FRAME else Words.same(spring.against)
-        link = Words("" if spring.against == FRAME else "构件 ", "" if spring.against == FRAME else "link ")
+        other = Words(f"构件 {spring.against} ", f"link {spring.against}")
+        other = Words("机架", "the frame") if spring.against == FRAME else other
         kind = Words("扭簧", "a torsion spring") if spring.stiffness else Words("转动阻尼器", "a rotary damper")
-        where = Words(f"构件 {spring.link} 与{link.zh}{other.zh}之间", f"link {spring.link} and {link.en}{other.en}")
+        where = Words(f"构件 {spring.link} 与{other.zh}之间", f"link {spring.link} and {other.en}")
     else:
         ends = " ".join(f"${letter}$" for letter in (spring.foot, spring.point))
         where = Words(f"{ends.replace(' ', '、')} 两点之间", ends.replace(" ", " and "))
