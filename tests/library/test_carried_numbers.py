@@ -179,3 +179,22 @@ def test_an_answer_that_a_step_works_out_before_it_is_laid_off_is_not_read_back(
         own = plain(line).split(" = ")
         before = [parts for parts in lines if parts[0] == own[0] and len(parts) == WORKED and "μ_" not in parts[1]]
         assert not (before and own[1].startswith("μ_")), f"{' = '.join(own)} after {before}"
+
+
+@each((*DRAFTED, "return-spring"))
+def test_a_force_has_one_number_by_whichever_of_its_names_a_line_finds_it(name: str) -> None:
+    """R_23 = 997 N, and R_32 too; what a damper does to its other link is F_d′ = F_d."""
+    solution = drafted(name)
+    told: dict[str, str] = {}
+    for line in (plain(one) for step in solution.construction.steps for one in step.formulas) if solution else ():
+        pair = re.match(r"R_(\d)(\d)(,0)? = .*?([\d.]+ N)$", line)
+        if pair is not None:
+            joint, end = f"{min(pair[1], pair[2])}{max(pair[1], pair[2])}{pair[3]}", pair[4]
+            assert told.setdefault(joint, end) == end, line
+
+
+def test_the_force_on_the_other_link_of_a_damper_has_the_number_of_that_on_the_first() -> None:
+    lines = [" = ".join(parts) for parts in lines_of(solve(load("return-spring")))]
+    (found,) = (line.rpartition(" = ")[2].removesuffix(" N") for line in lines if line.startswith("F_d = "))
+    users = [line for line in lines if "F_d′" in line]
+    assert len(users) > 2 and all(f"{found} × " in line for line in users)
