@@ -107,3 +107,10 @@ def test_a_vector_that_is_placed_at_its_point_has_been_told_before(name: str) ->
             tip = f"${bare.rpartition('_')[2].lower()}$"  # by the image of its link
             assert bare in before or tip in told, f"step {step.number}: {step.words.en}"
         told += f"{step.words.en} {own} {' '.join(plain(one) for one in step.formulas)}"
+
+
+@each((*IDS, "4-5"))
+def test_a_resultant_that_the_frame_balances_is_told_with_where_it_acts(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        if "parallel to the resultant of the known forces" in step.words.en:
+            assert re.search(r"resultant of the known forces(?: and couples)? \(\w", step.words.en), step.words.en
