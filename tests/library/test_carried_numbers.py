@@ -198,3 +198,19 @@ def test_the_force_on_the_other_link_of_a_damper_has_the_number_of_that_on_the_f
     (found,) = (line.rpartition(" = ")[2].removesuffix(" N") for line in lines if line.startswith("F_d = "))
     users = [line for line in lines if "F_d′" in line]
     assert len(users) > 2 and all(f"{found} × " in line for line in users)
+
+
+def test_a_number_has_the_figures_that_a_line_needs_once_all_others_in_it_are_known() -> None:
+    """a^n = 0.0194634² × 1.0995 stood under ω_4 = 0.01946: l_DC was settled after it."""
+    told = {parts[0]: parts for parts in lines_of(solve(load("dump-hoist")))}
+    turns = told["ω_4"][-1].removesuffix(" rad/s")
+    assert told["a^n_C4"][2].startswith(f"{turns}^2 × ") and told["a^k_C4C5"][2].startswith(f"2 × {turns} × ")
+
+
+@pytest.mark.parametrize("name", ["train-stepped", "train-ring", "train-differential"])
+def test_an_angular_velocity_that_is_given_is_not_read_back_off_the_diagram(name: str) -> None:
+    """ω_1 = 20 rad/s was given, and i_1H was 20.01/3.27."""
+    problem = load(name)
+    lines = lines_of(solve(problem))
+    given = {key for key, omega in problem.subject.omegas.items() if omega is not None}  # type: ignore[union-attr]
+    assert given and not {parts[0] for parts in lines} & {f"ω_{key}" for key in given}
