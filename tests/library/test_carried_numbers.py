@@ -214,3 +214,12 @@ def test_an_angular_velocity_that_is_given_is_not_read_back_off_the_diagram(name
     lines = lines_of(solve(problem))
     given = {key for key, omega in problem.subject.omegas.items() if omega is not None}  # type: ignore[union-attr]
     assert given and not {parts[0] for parts in lines} & {f"ω_{key}" for key in given}
+
+
+@pytest.mark.parametrize("name", ["press-flywheel", "engine-flywheel", "shaper-flywheel", "7-4"])
+def test_the_mean_angular_velocity_of_a_machine_is_worked_out_before_it_is_gone_on_with(name: str) -> None:
+    """n = 120 r/min was given, and J_F went on with 12.566 rad/s."""
+    lines = [plain(one) for step in solve(load(name)).construction.steps for one in step.formulas]
+    (found, *_), *users = ([line for line in lines if mark in line] for mark in ("ω_m = ", "ω_m^2"))
+    number = found.rpartition(" = ")[2].removesuffix(" rad/s")
+    assert users[0] and all(lines.index(found) < lines.index(line) and f"{number}^2" in line for line in users[0])
