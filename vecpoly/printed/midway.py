@@ -54,8 +54,8 @@ def _worth(node: ast.expr, text: str) -> Fraction:
     match node:
         case ast.Constant():
             return Fraction(ast.get_source_segment(text, node) or "0")
-        case ast.UnaryOp(op=ast.USub(), operand=one):
-            return -_worth(one, text)
+        case ast.UnaryOp(op=ast.USub(), operand=body):
+            return -_worth(body, text)
         case ast.BinOp(left=left, op=op, right=right):
             one, other = _worth(left, text), _worth(right, text)
             match op:

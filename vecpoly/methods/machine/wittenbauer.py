@@ -115,7 +115,7 @@ def _mean(period: Period) -> Quantity:
     """ω_m = π n / 30, of the speed that is given."""
     assert period.run is not None
     mean = magnitude("ω_m", period.run.speed, "rad/s")
-    period.board.write_worked(mean.node, PI * turns_a_minute("n", mean.value) / THIRTY, mean.unit)
+    period.board.write_worked(mean.node, PI * turns_a_minute("n", period.run.speed) / THIRTY, mean.unit)
     return mean
 
 
