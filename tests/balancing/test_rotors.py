@@ -229,3 +229,12 @@ def test_the_permitted_circle_the_rounded_weights_and_what_they_leave_are_named_
     assert {"W′_{b,1}", "W′_{b,2}", "W_{r}"} <= arrows and "" not in arrows
     (end,) = re.findall(r"to their end \$(\w)\$", " ".join(step.words.en for step in construction.steps))
     assert {"U_{per}", end} <= letters
+
+
+@pytest.mark.parametrize("name", ["6-4", "6-5", "6-6", "6-7", "engine-three", "engine-four"])
+def test_no_letter_stands_on_two_polygons_of_a_sheet(name: str) -> None:
+    """The d of plane I was also that of the couples."""
+    figures = solve(load(name), repeats=0, precise=False).construction.figures
+    polygons = [one for one in figures if one.view.name in ("products", "unbalances", "couples")]
+    letters = [{mark.label for mark in one.marks if isinstance(mark, Point)} - {"O", ""} for one in polygons]
+    assert len(letters) > 1 and sum(map(len, letters)) == len(set[str]().union(*letters))

@@ -49,7 +49,7 @@ def test_six_given_areas_give_the_worked_bar_flywheel_and_rim() -> None:
     assert {key: found[f"E_{key}"] for key in "bcdef"} == pytest.approx({key: told["levels_J"][key] for key in "bcdef"})
     names = {"dW_max": "dW_max_J", "J_F": "J_F", "GD2": "GD2_Nm2", "m_rim": "rim_mass_kg", "h": "h_mm", "b": "b_mm"}
     for key, name in (names | {"v_rim": "rim_speed_m_s", "J_rim": "J_of_this_rim_exact"}).items():
-        assert found[key] == pytest.approx(told[name], rel=NEAR), key
+        assert found[key] == pytest.approx(told[name] * (1e-3 if name.endswith("_mm") else 1), rel=NEAR), key
     assert bool(found["v_allowed"]) is told["speed_ok"]
 
 
@@ -306,6 +306,17 @@ def test_the_section_of_a_rim_goes_on_as_it_is_printed() -> None:
     lines = [plain(line) for step in of_library("rim-of-a-flywheel").construction.steps for line in step.formulas]
     (section,), (height,) = ([line for line in lines if line.startswith(f"{one} = ")] for one in "Sh")
     assert f"({section.rsplit(' = ', 1)[1].removesuffix(' m^2')})/(1.4)" in height
+
+
+def test_a_deficit_has_a_negative_area_beside_its_work_and_lengths_of_a_rim_are_told_in_metres_first() -> None:
+    construction = of_library("flywheel-rim").construction
+    ((head, rows),) = [(one.listing.head, one.listing.rows) for one in construction.steps if one.listing is not None]
+    area, work = ([one.zh.startswith(start) for one in head].index(True) for start in ("$A$", "$W$"))
+    for row in rows[:-1]:
+        assert float(row[area].replace("−", "-")) * 12 == float(row[work].replace("−", "-")), row
+    lines = [plain(line) for step in construction.steps for line in step.formulas]
+    (height,) = (line for line in lines if line.startswith("h = "))
+    assert height.endswith(" = 0.2288 m = 228.8 mm")
 
 
 def test_a_constant_moment_below_zero_is_told_to_drive() -> None:

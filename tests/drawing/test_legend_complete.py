@@ -136,7 +136,7 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
         ("6-1", {"outline of the rotor"}, {"roller"}),
         ("return-spring", {"arm of a force", "$v$ projected on a force"}, {"instant centre"}),
         ("5-2", {"normal of a contact", "angle of friction", "force that prevents sliding"}, {"pole normal"}),
-        ("cam-moves-arm", {"circle of curvature of the profile"}, {"osculating circle"}),
+        ("cam-moves-arm", {"osculating circle of the profile"}, {"osculating circle"}),
         ("6-6", {"concentrated mass", "balancing mass"}, {"hole to drill, negative mass"}),
         ("rotor-blind-hole", {"hole to drill, negative mass"}, {"balancing mass"}),
         (

@@ -179,3 +179,47 @@ def test_an_answer_that_a_step_works_out_before_it_is_laid_off_is_not_read_back(
         own = plain(line).split(" = ")
         before = [parts for parts in lines if parts[0] == own[0] and len(parts) == WORKED and "μ_" not in parts[1]]
         assert not (before and own[1].startswith("μ_")), f"{' = '.join(own)} after {before}"
+
+
+@each((*DRAFTED, "return-spring"))
+def test_a_force_has_one_number_by_whichever_of_its_names_a_line_finds_it(name: str) -> None:
+    """R_23 = 997 N, and R_32 too; what a damper does to its other link is F_d′ = F_d."""
+    solution = drafted(name)
+    told: dict[str, str] = {}
+    for line in (plain(one) for step in solution.construction.steps for one in step.formulas) if solution else ():
+        pair = re.match(r"R_(\d)(\d)(,0)? = .*?([\d.]+ N)$", line)
+        if pair is not None:
+            joint, end = f"{min(pair[1], pair[2])}{max(pair[1], pair[2])}{pair[3]}", pair[4]
+            assert told.setdefault(joint, end) == end, line
+
+
+def test_the_force_on_the_other_link_of_a_damper_has_the_number_of_that_on_the_first() -> None:
+    lines = [" = ".join(parts) for parts in lines_of(solve(load("return-spring")))]
+    (found,) = (line.rpartition(" = ")[2].removesuffix(" N") for line in lines if line.startswith("F_d = "))
+    users = [line for line in lines if "F_d′" in line]
+    assert len(users) > 2 and all(f"{found} × " in line for line in users)
+
+
+def test_a_number_has_the_figures_that_a_line_needs_once_all_others_in_it_are_known() -> None:
+    """a^n = 0.0194634² × 1.0995 stood under ω_4 = 0.01946: l_DC was settled after it."""
+    told = {parts[0]: parts for parts in lines_of(solve(load("dump-hoist"), precise=False))}
+    turns = told["ω_4"][-1].removesuffix(" rad/s")
+    assert told["a^n_C4"][2].startswith(f"{turns}^2 × ") and told["a^k_C4C5"][2].startswith(f"2 × {turns} × ")
+
+
+@pytest.mark.parametrize("name", ["train-stepped", "train-ring", "train-differential"])
+def test_an_angular_velocity_that_is_given_is_not_read_back_off_the_diagram(name: str) -> None:
+    """ω_1 = 20 rad/s was given, and i_1H was 20.01/3.27."""
+    problem = load(name)
+    lines = lines_of(solve(problem))
+    given = {key for key, omega in problem.subject.omegas.items() if omega is not None}  # type: ignore[union-attr]
+    assert given and not {parts[0] for parts in lines} & {f"ω_{key}" for key in given}
+
+
+@pytest.mark.parametrize("name", ["press-flywheel", "7-4"])
+def test_the_mean_angular_velocity_of_a_machine_is_worked_out_before_it_is_gone_on_with(name: str) -> None:
+    """n = 120 r/min was given, and J_F went on with 12.566 rad/s."""
+    lines = [plain(one) for step in solve(load(name)).construction.steps for one in step.formulas]
+    (found, *_), *users = ([line for line in lines if mark in line] for mark in ("ω_m = ", "ω_m^2"))
+    number = found.rpartition(" = ")[2].removesuffix(" rad/s")
+    assert users[0] and all(lines.index(found) < lines.index(line) and f"{number}^2" in line for line in users[0])

@@ -9,6 +9,7 @@ import pytest
 
 from tests.drawn_library import IDS, drawn
 from tests.each import each
+from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Point
 from vecpoly.board.ruler import READABLE
@@ -92,3 +93,24 @@ def test_a_resultant_on_the_diagram_is_that_of_a_step(name: str) -> None:
     for label in labels:
         if re.fullmatch(r"P_\{\d\}", label):
             assert f"${label}$" in words, label
+
+
+@each((*IDS, "rack-drives-pinion", "3-13", "rack-on-a-rocker", "travel-doubler"))
+def test_a_vector_that_is_placed_at_its_point_has_been_told_before(name: str) -> None:
+    """v_H of a rack that slides: the pinion's ω came from a v_H that nothing had given."""
+    told = ""
+    for step in drawn(name).construction.steps:
+        own = " ".join(step.equation.symbols) if step.equation is not None else ""
+        before = re.sub(r"[{}]", "", f"{told} {own} {' '.join(plain(one) for one in step.formulas)}")
+        for symbol in re.findall(r"[Pp]lacing \$(\S+?)\$ at|[Ww]ith \$(\S+?)\$ placed", step.words.en):
+            bare = re.sub(r"[{}]", "", "".join(symbol))
+            tip = f"${bare.rpartition('_')[2].lower()}$"  # by the image of its link
+            assert bare in before or tip in told, f"step {step.number}: {step.words.en}"
+        told += f"{step.words.en} {own} {' '.join(plain(one) for one in step.formulas)}"
+
+
+@each((*IDS, "4-5"))
+def test_a_resultant_that_the_frame_balances_is_told_with_where_it_acts(name: str) -> None:
+    for step in drawn(name).construction.steps:
+        if "parallel to the resultant of the known forces" in step.words.en:
+            assert re.search(r"resultant of the known forces(?: and couples)? \(\w", step.words.en), step.words.en

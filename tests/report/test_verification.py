@@ -11,6 +11,7 @@ import vecpoly
 from tests.flat_positions import FLAT
 from tests.laws import few
 from vecpoly.check.grashof import grashof
+from vecpoly.printed.digits import drawn_number
 from vecpoly.report.answers.order import arranged, broken
 from vecpoly.report.content import conclusions
 from vecpoly.report.verification.heads import MARGIN
@@ -117,3 +118,19 @@ def test_what_a_single_solution_does_is_said_in_a_sentence_and_of_several_in_a_t
     assert all("." in cells[0] for cells in shared)
     numbers = [number for cell in one.rows[0][1:] for number in re.findall(r"\d+\.\d+", cell)]
     assert numbers and all(number in sentence for number in numbers)
+
+
+@pytest.mark.parametrize("name", ["8-11", "three-positions"])
+def test_the_margin_of_grashofs_condition_is_that_of_the_lengths_as_they_are_printed(name: str) -> None:
+    """44.7 + 50.0 − 22.3 − 62.2 = 10.2 mm: it was 10.1."""
+    solution = vecpoly.load(name).solve(by="drafting")
+    found, said = as_moved(solution, "en")
+    told = re.search(r"the longest is (−?[\d.]+) mm", said)
+    head = f"{MARGIN.en} /mm"
+    margins = [told[1]] if told else [] if found is None else [row[found.header.index(head)] for row in found.rows]
+    assert margins
+    for number, margin in enumerate(margins, 1):
+        keys = [key if number == 1 else f"{key}_{number}" for key in ("AB", "BC", "CD", "AD")]
+        lengths = sorted(float(drawn_number(solution.answers[key])) for key in keys)
+        least, one, other, most = lengths
+        assert margin == f"{one + other - least - most:.1f}".replace("-", "−"), lengths

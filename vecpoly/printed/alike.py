@@ -12,15 +12,18 @@ from ..answer import Answer
 from ..foundation.slotted import replace
 
 _KINDS = ("ω", "α", "R")  # of which one is equal to another by what they are, and not by chance
+_OPPOSED = ("F", "M")  # what a spring does to its other link is called F_d′ or M_s′
 _PAIR = re.compile(r"(\d)(\d)(?=,|$)")  # of links, by whose numbers the force in their joint is called
 _SAME = 1e-9  # share by which a number may differ from itself
 _IN_BRACKETS = 3  # parts of what stands between two of them
 
 
 def of_both(symbol: Node) -> Node:
-    """The symbol by which a number is known: R_12 of R_21, too, which is as large; M/Q of (M/Q)."""
+    """The symbol by which a number is known: R_12 of R_21, F_d of F_d′, which are as large; M/Q of (M/Q)."""
     if isinstance(symbol, Row) and len(symbol.items) == _IN_BRACKETS and symbol.items[0] == Txt("("):
         return of_both(symbol.items[1])
+    if isinstance(symbol, Sym) and symbol.base in _OPPOSED and symbol.sub.endswith("′"):
+        return replace(symbol, sub=symbol.sub.removesuffix("′"))
     if not isinstance(symbol, Sym) or symbol.base.rstrip("′") != "R" or (pair := _PAIR.match(symbol.sub)) is None:
         return symbol
     first, second = sorted(pair.groups())

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isfinite
+from math import isclose, isfinite
 from operator import is_
 
 from ..algebra.formula import Node, Row, Txt, named, sym
+from ..algebra.worked import size_of
 from ..answer import YES_NO, Answer
 from ..board.construction import Construction, Step
 from ..foundation.slotted import replace
@@ -30,8 +31,21 @@ class _Printed:
             line = answer.reading.formula
             if isinstance(line, Row) and (end := printed_end(line, answer)) is not None:
                 self._ends[line.items[0], line.items[-1]] = self._own[id(line)] = end
-        self._told = Told(answers.values(), one_name(answers.values(), lines))
+        names = one_name(answers.values(), lines)
+        self._told = Told(answers.values(), names)
+        self._learn_equal(lines, names)
         self._told.carry([(line, self._end_of(line)) for line in lines])
+
+    def _learn_equal(self, lines: Sequence[Row], names: Mapping[Node, Node]) -> None:
+        """A line of what is an answer by another name ends as that does: R_23 = 997 N beside R_32 = 997 N."""
+        asked = (one for one in self.answers.values() if not one.is_place and isfinite(one.drawn) and one.drawn)
+        known = {_name(named(one.reading.symbol), names): one for one in asked}
+        for line in lines:
+            answer = known.get(_name(line.items[0], names)) if line.worked is not None else None
+            if answer is None or self._end_of(line) is not None:
+                continue
+            if isclose(size_of(line), abs(answer.drawn), rel_tol=1e-9) and (end := printed_end(line, answer)):
+                self._own[id(line)] = end
 
     @property
     def strained(self) -> set[str]:
@@ -45,6 +59,11 @@ class _Printed:
     def _end_of(self, line: Row) -> Txt | None:
         """Of the line asked, and of any that evaluates the same again; None: its own."""
         return self._own.get(id(line)) or self._ends.get((line.items[0], line.items[-1]))
+
+
+def _name(symbol: Node, names: Mapping[Node, Node]) -> Node:
+    """The symbol by which its number is known."""
+    return names.get(of_both(symbol), of_both(symbol))
 
 
 def as_printed(construction: Construction, answers: Mapping[str, Answer]) -> tuple[Construction, dict[str, Answer]]:

@@ -44,6 +44,9 @@ class Told:
         if self._finer:  # lines that were settled before the guard figures of an answer were known
             self._carried, self._later = {}, {}
             self._carry(lines)
+        for line, end in reversed(lines):
+            if end is None and line.worked is not None:
+                self._once_more(line)
 
     def _carry(self, lines: Sequence[tuple[Row, Txt | None]]) -> None:
         """Once from the last line to the first."""
@@ -110,6 +113,21 @@ class Told:
                 self._carried[symbol] = size, few
                 if reached(line, sign + few) and all(self._goes_on(*one, symbol) for one in users):
                     return
+        self._carried[symbol] = size, text
+
+    def _once_more(self, line: Row) -> None:
+        """A number with which some later line does not go on, now that all others are known, to as many figures as
+        that needs: 0.019463² under ω = 0.01946."""
+        symbol = self._name(line.items[0])
+        size, text = self._carried.get(symbol, (0.0, ""))
+        users = self._later.get(symbol, [])
+        if not text or all(self._goes_on(*one, symbol) for one in users):
+            return
+        sign = "−" if (number_at_the_end(line.items[-1]) or "").startswith("−") else ""
+        for finer in (number(size, figures) for figures in range(_figures(text) + 1, _FINEST + 1)):
+            self._carried[symbol] = size, finer
+            if self._goes_on(line, sign + finer) and all(self._goes_on(*one, symbol) for one in users):
+                return
         self._carried[symbol] = size, text
 
     def _goes_on(self, line: Row, shown: str, symbol: Node | None = None) -> bool:

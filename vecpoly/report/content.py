@@ -25,6 +25,7 @@ from .statement.conventions import conventions
 from .statement.given_data import friction_heads, given_data
 from .statement.in_table import OTHERS, in_table, in_table_words
 from .statement.meant import meant_by
+from .statement.profiles import profile_centres
 from .statement.shortened import as_told
 from .statement.structure import numbering, structure
 from .statement.task import task
@@ -76,6 +77,7 @@ def statement(solution: Solution, lang: Lang, data: Sequence[Datum] | None = Non
         "repeated": "repeated" if repeated(solution) else "",
         "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang),
+        "profiles": profile_centres(problem).of(lang),
         "scales": scales(solution, lang),
     } | conventions(solution)
 

@@ -65,7 +65,9 @@ def _rests_on(acts: Sequence[Act], act: Act) -> Iterator[int]:
 
 def in_mm(line: Node, reading: Reading) -> Node:
     """The line of an asked length ends with mm, as tables give it: h = 0.0008 × 2.4 = 0.00192 m = 1.92 mm."""
-    if not (isinstance(line, Row) and isinstance(end := line.items[-1], Txt) and end.text.endswith(" m")):
+    if reading.unit != "m" or not (
+        isinstance(line, Row) and isinstance(end := line.items[-1], Txt) and end.text.endswith(" m")
+    ):
         return line
     mm = number(1e3 * reading.scalar)
     ends = Txt(f" = {mm} mm" if len(line.items) < _WORKED else f"{end.text} = {mm} mm")

@@ -13,7 +13,7 @@ DELTA = Named("delta", "δ", "")
 PHI_MAX, PHI_MIN = Named("phi_max", "φ_{max}", "deg"), Named("phi_min", "φ_{min}", "deg")
 OMEGA_MAX, OMEGA_MIN = Named("omega_max", "ω_{max}", "rad/s"), Named("omega_min", "ω_{min}", "rad/s")
 N_MAX, N_MIN = Named("n_max", "n_{max}", "r/min"), Named("n_min", "n_{min}", "r/min")
-RIM_MASS, RIM_H, RIM_B = Named("m_rim", "m", "kg"), Named("h", "h", "mm"), Named("b", "b", "mm")
+RIM_MASS, RIM_H, RIM_B = Named("m_rim", "m", "kg"), Named("h", "h", "m"), Named("b", "b", "m")
 RIM_SPEED, RIM_SAFE = Named("v_rim", "v", "m/s"), Named("v_allowed", "v ≤ [v]", "yes/no")
 RIM_J = Named("J_rim", "J_{rim}", "kg·m^2")
 

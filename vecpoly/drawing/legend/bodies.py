@@ -73,10 +73,10 @@ CURVES: tuple[Kind, ...] = (
     Kind(words=Words("给定曲线", "curve that is given"), met=_beside_target(Role.HIDDEN, Curve), sample=line),
     Kind(words=Words("最大偏差", "maximum deviation"), met=_beside_target(Role.RESULT, Segment), sample=line),
     Kind(
-        words=Words("廓线的曲率圆", "circle of curvature of the profile"),
+        words=Words("廓线的曲率圆", "osculating circle of the profile"),
         met=osculates,
         sample=line,
-        brief=Words("曲率圆", "circle of curvature"),
+        brief=Words("曲率圆", "osculating circle"),
     ),
     Kind(words=Words("定瞬心线", "fixed centrode"), met=traced(Role.LOCUS, Curve), sample=line),
     Kind(words=Words("动瞬心线", "moving centrode"), met=traced(Role.CARRIED, Curve), sample=line),

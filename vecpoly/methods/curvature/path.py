@@ -29,7 +29,7 @@ def draw_paths(fig: CurvatureFigure, paper: Paper) -> None:
     some, rings = ("path", "circle") if len(fig.centres) == 1 else ("paths", "circles")
     fig.board.step(
         Words(
-            f"描出 {letters} 的轨迹与密切圆（虚线）：两者在该点附近重合。",
+            f"描出 {letters} 的轨迹与曲率圆（虚线）：两者在该点附近重合。",
             f"Trace the {some} of {letters.replace('、', ', ')}; near the point the osculating {rings} (dashed) cannot "
             f"be told from the {some}.",
         ),

@@ -205,7 +205,7 @@ def _told(profile: CamProfile, found: Osculating, turn: float) -> Words:
         )
         + hollow
         + Words(
-            "）。以密切圆代替廓线：此瞬时的位置、速度和加速度不变；对其他位置须重新作图。",
+            "）。以曲率圆代替廓线：此瞬时的位置、速度和加速度不变；对其他位置须重新作图。",
             "). The osculating circle replaces the profile: position, velocity and acceleration are the same at this "
             "instant; for any other position it must be constructed again.",
         )

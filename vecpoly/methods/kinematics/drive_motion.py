@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import magnitude
+from ...algebra.quantity import Product, magnitude
 from ...board.construction import View
 from ...board.paper.marks import Role
 from ...mechanism.model import FRAME, Drive, Prismatic
@@ -155,7 +155,8 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
         ),
         view,
     )
-    size = desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
+    own = Product((magnitude(f"{stem}_{drive.link}", abs(value), unit_text),))  # the given v_1 is v_A
+    size = desk.board.compute(f"{stem}_{b}", own, unit_text)
     desk.board.write_length(view, f"{pole} {tip}", size)
     _first_vector(desk, view, b, along, abs(value))
     images_of_link(desk, view, drive.link)

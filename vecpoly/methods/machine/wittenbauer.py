@@ -13,6 +13,7 @@ from ...board.paper.marks import Dot, Role
 from ...mechanism.asked.machine import J_F, J_F_AREAS, OMEGA_MAX, OMEGA_MIN, PHI_MAX, PHI_MIN
 from ...plane import Line, Points, Reals, nominal
 from ...words import Words
+from ..devices.speeds import PI, THIRTY, turns_a_minute
 from ..diagrams.axes import Axes, draw_axes
 from .energy import Energies
 from .period import Period, kept, shown
@@ -105,9 +106,17 @@ def _speeds(period: Period, pane: Pane) -> None:
         ),
         pane,
     )
-    mean, half = magnitude("ω_m", run.speed, "rad/s"), Quantity(Frac(sym("δ"), Txt("2")), run.delta / 2, "")
+    mean, half = _mean(period), Quantity(Frac(sym("δ"), Txt("2")), run.delta / 2, "")
     for named, sign in ((OMEGA_MAX, 1), (OMEGA_MIN, -1)):
         kept(board, named, mean * (ONE + half if sign > 0 else ONE - half))
+
+
+def _mean(period: Period) -> Quantity:
+    """ω_m = π n / 30, of the speed that is given."""
+    assert period.run is not None
+    mean = magnitude("ω_m", period.run.speed, "rad/s")
+    period.board.write_worked(mean.node, PI * turns_a_minute("n", period.run.speed) / THIRTY, mean.unit)
+    return mean
 
 
 def _tangent(period: Period, pane: Pane, sizes: Sizes, one: Contact, energies: Energies, name: str) -> Points:
@@ -164,7 +173,7 @@ def keep_areas(period: Period, surplus: Quantity) -> None:
             "If the variation of $J_e$ is neglected, the maximum surplus of work gives $J_F$ approximately:",
         )
     )
-    mean = magnitude("ω_m", run.speed, "rad/s")
+    mean = _mean(period)
     kept(period.board, J_F_AREAS, surplus / (magnitude("δ", run.delta, "") * mean.squared()))
 
 

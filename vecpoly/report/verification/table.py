@@ -39,6 +39,7 @@ from .heads import (
     TYPE_OF,
     YES,
 )
+from .margins import margin_told
 
 _FIGURES, _SMALL = 4, 10.0  # degrees: a smaller angle to so many figures would have more than hundredths
 _SEEN = 0.005  # mm: less is no difference of lengths
@@ -88,7 +89,8 @@ def _lines(solution: Solution) -> list[list[_Item]]:
     mu = 1e3 * solution.construction.figures[0].scale.value
     drivers = {one.driver for one in moved if one.broken is None}
     driver = drivers.pop() if len(drivers) == 1 else ""
-    return [_Line(design, one, found[one.number], true.get(one.number, {}), mu, driver).items() for one in moved]
+    lines = (_Line(design, one, found[one.number], true.get(one.number, {}), mu, driver) for one in moved)
+    return [one.items(margin_told(solution, design, one.moved, one.drawn.values)) for one in lines]
 
 
 def _told(lines: list[list[_Item]]) -> list[list[_Item]]:
@@ -143,8 +145,8 @@ class _Line:
         self.design, self.moved, self.drawn, self.mu = design, moved, drawn, mu
         self.exact, self.driver = true, driver
 
-    def items(self) -> list[_Item]:
-        """Item by item, in one order for all."""
+    def items(self, margin: float) -> list[_Item]:
+        """Item by item, in one order for all; margin: of the lengths as they are printed (mm)."""
         one = self.moved
         swings = one.unit == "°"
         stroke, unit = ("psi", "°") if swings else ("H", " mm")
@@ -153,7 +155,7 @@ class _Line:
             _item(CIRCUIT, self._yes()),
             _item(ORDER, self._order()),
             _item(TYPE_OF if self._added() else TYPE, NONE if one.kind is None else one.kind),
-            _item(MARGIN, NONE if one.kind is None else Words.same(f"{column([one.margin], 1)[0]} mm")),
+            _item(MARGIN, NONE if one.kind is None else Words.same(f"{column([margin], 1)[0]} mm")),
             self._turning(),
             _item(Words.same("$K$"), self._beside(one.ratio, "K", "")),
             _item(SWING if swings else STROKE, self._beside(one.stroke, stroke, unit)),

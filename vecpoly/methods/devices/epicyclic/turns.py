@@ -46,7 +46,8 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
     cuts = {key: _cut(bench, pole, level, key, lines[key]) for key in ("1", "2", "3", "H")}
     reach = [0.0, *(float(nominal(at).real) for at in cuts.values())]
     board.join(TURNS, complex(min(reach) - 6, 0), complex(max(reach) + 6, 0), Role.CONSTRUCTION)
-    found = {key: _read(bench, key, at) for key, at in cuts.items()}
+    known = {key: omega.si for key, omega in train.omegas.items() if omega is not None}
+    found = {key: _given(bench, key, known[key]) if key in known else _read(bench, key, at) for key, at in cuts.items()}
     _senses(bench, cuts)
     for key, at in cuts.items():
         if train.omegas.get(key) is None:
@@ -91,6 +92,12 @@ def _cut(bench: Bench, pole: Points, level: Line, key: str, line: Points) -> Poi
     board.join(TURNS, pole, at, Role.RESULT)
     board.plot(TURNS, at, key, Dot.POINT)
     return at
+
+
+def _given(bench: Bench, key: str, omega: float) -> Quantity:
+    """An angular velocity that is given is gone on with as it is, and not read back."""
+    named = Named(f"omega_{key}", f"ω_{key}", "rad/s")
+    return bench.told_otherwise(named, magnitude(named.symbol, omega, named.unit))
 
 
 def _read(bench: Bench, key: str, at: Points) -> Quantity:

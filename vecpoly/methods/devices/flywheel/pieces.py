@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from ....algebra.columns import TOTAL, column, decimals, summed
-from ....algebra.quantity import Expr, Quantity, Sum, magnitude
+from ....algebra.quantity import Quantity, magnitude
 from ....board.construction import Listing
 from ....devices.dynamics.asked import letter, level, work
 from ....devices.dynamics.given import Areas
+from ....foundation.slotted import replace
 from ....plane import Points, Reals, nominal
 from ....words import Words
 from ...diagrams.indicator import shared_out
@@ -69,17 +70,19 @@ def _signs(bench: Bench, sizes: Sequence[float], names: Sequence[str]) -> list[R
 def works_of(
     bench: Bench, sizes: Sequence[Quantity], signs: Sequence[Reals], scale: Quantity, names: Sequence[str]
 ) -> tuple[Reals, ...]:
-    """The works as read, what they miss zero by, the works without it, and a table of all that."""
+    """The works as read, what they miss zero by, the works without it, and a table of all that; a deficit's area is
+    negative, as its work is."""
     board = bench.board
-    read = [sign * size.value * scale.value for sign, size in zip(signs, sizes, strict=True)]
-    board.write_worked(magnitude("W_1", read[0], "J").node, _signed(sizes[0] * scale, signs[0]), "J")
+    signed = [replace(size, value=sign * size.value) for sign, size in zip(signs, sizes, strict=True)]
+    read = [size.value * scale.value for size in signed]
+    board.write_worked(magnitude("W_1", read[0], "J").node, signed[0] * scale, "J")
     left, works = shared_out(read)
     missed = abs(float(nominal(left))) > NOTHING * sum(abs(float(nominal(one))) for one in read)
     if missed:
         board.remark(shared(float(nominal(left))))
     energy: Reals = 0.0
     rows = []
-    for n, (size, raw, value) in enumerate(zip(sizes, read, works, strict=True), 1):
+    for n, (size, raw, value) in enumerate(zip(signed, read, works, strict=True), 1):
         value = board.conclude(f"W_{n}", value, "J")
         energy = energy + value
         noted(bench, work(n), value)
@@ -88,10 +91,6 @@ def works_of(
         rows.append(_values(size.value, raw, value, energy if n < len(sizes) else 0.0))
     board.tabulate(_table(names, rows, missed))
     return works
-
-
-def _signed(size: Expr, sign: Reals) -> Expr:
-    return size if float(nominal(sign)) > 0 else Sum((size,), (-1,))
 
 
 def _values(*values: Reals) -> tuple[float, ...]:

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from ....algebra.formula import Txt
-from ....algebra.formula import named as name_of
 from ....algebra.quantity import Quantity, Rooted, magnitude, number
-from ....algebra.worked import worked
 from ....devices.dynamics import asked
 from ....devices.dynamics.rim import Rim
 from ....plane import nominal
@@ -28,11 +24,8 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
     mass = bench.worked(asked.RIM_MASS, FOUR * inertia / d.squared())
     section = board.compute("S", mass / (PI * d * magnitude("ρ", rim.density.si, "kg/m^3")), "m^2")
     ratio = magnitude("(b/h)", rim.ratio.si, "")
-    h = bench.stated(
-        asked.RIM_H, 1e3 * np.sqrt(section.value / rim.ratio.si), worked(name_of("h"), Rooted(section / ratio), "m")
-    )
-    b = bench.worked(asked.RIM_B, ratio * h)
-    assert b is not None
+    h = bench.worked(asked.RIM_H, Rooted(section / ratio))
+    bench.worked(asked.RIM_B, ratio * h)
     _speed(bench, rim, h, omega)
     board.step(
         Words(
@@ -41,7 +34,7 @@ def rim_of(bench: Bench, rim: Rim, inertia: Quantity, omega: Quantity) -> None:
             "radius $R_2$:",
         )
     )
-    inner, outer = (magnitude(f"R_{n}", rim.D.si / 2 + sign * h.value / 2e3, "m") for n, sign in ((1, -1), (2, 1)))
+    inner, outer = (magnitude(f"R_{n}", rim.D.si / 2 + sign * h.value / 2, "m") for n, sign in ((1, -1), (2, 1)))
     bench.worked(asked.RIM_J, HALF * mass * (inner.squared() + outer.squared()))
 
 
@@ -53,7 +46,7 @@ def _speed(bench: Bench, rim: Rim, h: Quantity, omega: Quantity) -> None:
             "Find the speed of the outside of the rim, of radius $R_2 = (D + h)/2$:",
         )
     )
-    outer = magnitude("R_2", rim.D.si / 2 + h.value / 2e3, "m")
+    outer = magnitude("R_2", rim.D.si / 2 + h.value / 2, "m")
     v = bench.worked(asked.RIM_SPEED, omega * outer)
     if rim.v_max is not None:
         safe = v.value <= rim.v_max.si

@@ -15,9 +15,10 @@ GIVEN = Words(
 )
 AREAS = Words(
     "$M_d$ 与 $M_r$ 的交点顺次标以字母。$M_d > M_r$ 处为盈功（斜线右上），$M_d < M_r$ 处为亏功（斜线右下）。"
-    "量出各块面积，乘以 $μ_A$（$μ_{φ}$ 须以弧度计）。",
+    "量出各块面积（亏功取负），乘以 $μ_A$（$μ_{φ}$ 须以弧度计）。",
     "Letter the points where $M_d$ and $M_r$ meet. Where $M_d > M_r$ there is a surplus of work (hatched upwards to "
-    "the right), where $M_d < M_r$ a deficit. Measure the areas and multiply by $μ_A$ ($μ_{φ}$ in radians).",
+    "the right), where $M_d < M_r$ a deficit. Measure the areas, those of deficits negative, and multiply by $μ_A$ "
+    "($μ_{φ}$ in radians).",
 )
 
 

@@ -11,7 +11,7 @@ from ....algebra.quantity import Quantity, number
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane
 from ....board.paper.marks import Dot, Role
-from ....board.place import view_of
+from ....board.place import view_named, view_of
 from ....devices.balancing.asked import CLOSES
 from ....foundation.slotted import dataclass
 from ....names import Named
@@ -22,6 +22,7 @@ from ....words import Words
 from ..bench import Bench
 from ..inclined import row_of
 
+POLYGONS = tuple(map(view_named, ("products", "unbalances", "couples")))  # which stand on one sheet
 _ROW = "abcdefghkmnqrstuvw"
 _LETTERS = (*_ROW, *(f"{letter}_{turn}" for turn in range(1, 10) for letter in _ROW))
 
@@ -57,7 +58,7 @@ def heading(degrees: Reals) -> Points:
 
 def free_letters(bench: Bench, place: Pane) -> tuple[str, ...]:
     """The letters that stand on no polygon of the sheet: the two of a side name one side."""
-    taken = bench.board.lettered(view_of(place))
+    taken = frozenset[str]().union(*map(bench.board.lettered, {view_of(place), *POLYGONS}))
     return tuple(letter for letter in _LETTERS if letter not in taken)
 
 

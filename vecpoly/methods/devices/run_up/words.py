@@ -24,22 +24,23 @@ HEAD = (
 DRIVING, RESISTING = 1, 2  # the columns of M_d and M_r
 INVERSES = Words(
     "由 $J$ d$ω$/d$t$ = $ΔM$ 得 $t$ = $J$ ∫ d$ω$/$ΔM$。由两曲线间的距离求 $y = 1/|ΔM|$，作 $y$–$ω$ 线图，"
-    "线下的面积即为所求的积分，量得：",
+    "线下的面积 $A_y$ 即为所求的积分，量得：",
     "From $J$ d$ω$/d$t$ = $ΔM$ follows $t$ = $J$ ∫ d$ω$/$ΔM$. Take $ΔM$ off the characteristics, plot "
-    "$y = 1/|ΔM|$ versus $ω$; the area below it is the integral. It is measured:",
+    "$y = 1/|ΔM|$ versus $ω$; the area $A_y$ below it is the integral. It is measured:",
 )
 INVERSES_AGAIN = Words(
-    "同样作 $y = 1/|ΔM|$ 随 $ω$ 变化的线图，量得线下的面积，求时间：",
-    "In the same way plot $y = 1/|ΔM|$ versus $ω$ and measure the area below it, which gives the time:",
+    "同样作 $y = 1/|ΔM|$ 随 $ω$ 变化的线图，量得线下的面积 $A_y$，求时间：",
+    "In the same way plot $y = 1/|ΔM|$ versus $ω$ and measure the area $A_y$ below it, which gives the time:",
 )
 SPEEDS = Words(
-    "曲线下到转速 $ω$ 为止的面积，即达到该转速所需的时间 $t$；由此作 $ω$–$t$ 线图，线下的面积即为转过的角度 $φ$：",
+    "曲线下到转速 $ω$ 为止的面积，即达到该转速所需的时间 $t$；由此作 $ω$–$t$ 线图，线下的面积 $A_φ$ 即为转过的角度 "
+    "$φ$：",
     "The area under the curve up to the speed $ω$ is the time $t$ taken to reach it, which gives the curve $ω(t)$; the "
-    "area under $ω(t)$ is the angle $φ$ turned:",
+    "area $A_φ$ under $ω(t)$ is the angle $φ$ turned:",
 )
 SPEEDS_AGAIN = Words(
-    "由此再作 $ω$–$t$ 线图，量得线下的面积，求转角：",
-    "From it again plot the curve of $ω$ versus $t$ and measure the area below it, which gives the angle:",
+    "由此再作 $ω$–$t$ 线图，量得线下的面积 $A_φ$，求转角：",
+    "From it again plot the curve of $ω$ versus $t$ and measure the area $A_φ$ below it, which gives the angle:",
 )
 
 

@@ -3,10 +3,12 @@ the collar adds its own."""
 
 from __future__ import annotations
 
+from math import floor, log10
+
 import numpy as np
 
 from ....algebra.formula import Node, Row, Txt, named
-from ....algebra.quantity import Of, Quantity, Sum, Times, magnitude, number
+from ....algebra.quantity import FIGURES, Of, Quantity, Sum, Times, magnitude, number
 from ....board.construction import View
 from ....devices.screw_jack import (
     BACK,
@@ -20,7 +22,8 @@ from ....devices.screw_jack import (
     SELF_LOCKING,
     ScrewJack,
 )
-from ....plane import nominal
+from ....foundation.slotted import replace
+from ....plane import Reals, nominal
 from ....words import Words
 from ..bench import NO_SCALE, Bench
 from ..registry import device_method
@@ -108,10 +111,16 @@ def _moments(bench: Bench, device: ScrewJack, m1: Quantity, m2: Quantity, m0: Qu
         bench.board.step(Words("由 $F l = M$ 求手柄上的力：", "Moments on the lever, $F l = M$, give the force on it:"))
         load = device.trial
         bench.worked(DRIVE, magnitude("Q", load, "N") * whole / arm)
-    in_kn = magnitude("Q", load / 1e3, "kN")
+    in_kn = replace(magnitude("Q", load / 1e3, "kN"), told=_thousandth(load))
     bench.board.step(Words("各力矩的大小（$Q$ 以 kN 计）：", "The moments are ($Q$ in kN):"))
     for name, ratio in zip(MOMENTS, (m1, m2, whole, m0), strict=True):
         bench.worked(name, in_kn * (ratio if ratio is whole else Quantity(_bracketed(ratio.node), ratio.value, "mm")))
+
+
+def _thousandth(load: Reals) -> str:
+    """The load in kN with the figures that it has in N, in all lines."""
+    size = float(nominal(load))
+    return number(size / 1e3, max(FIGURES, floor(log10(size)) + 1))
 
 
 def _bracketed(node: Node) -> Node:

@@ -69,7 +69,8 @@ def moment_on_crank(st: Statics, held: Held) -> None:
         pin_words(st, pin, FRAME, held.link, at)
         if sense
         else Words(
-            f"不计 ${pin}$ 处摩擦，${frame}$ 过 ${pin}$。", f" Without friction at ${pin}$ it passes through ${pin}$."
+            f"不计 ${pin}$ 处摩擦，${frame}$ 过 ${pin}$。",
+            f" Without friction at ${pin}$, ${frame}$ passes through ${pin}$.",
         )
     )
     st.settle(FRAME, held.link, -load.vector, at, drawn, sense, computed=unread(st, load))
@@ -77,12 +78,13 @@ def moment_on_crank(st: Statics, held: Held) -> None:
 
 
 def _joined(load: Resultant) -> Words:
-    """What the frame's reaction is parallel to."""
+    """What the frame's reaction is parallel to, and where that acts."""
     if load.is_single:
         return Words(f" {load.symbols.zh} ", load.symbols.en)
+    zh, en = load.found
     if load.couples:
-        return Words("已知力与力偶的合力", "the resultant of the known forces and couples")
-    return Words("已知力的合力", "the resultant of the known forces")
+        return Words(f"已知力与力偶的合力（{zh}）", f"the resultant of the known forces and couples ({en})")
+    return Words(f"已知力的合力（{zh}）", f"the resultant of the known forces ({en})")
 
 
 def _frame_side(st: Statics, held: Held, load: Resultant) -> Drawn | None:

@@ -18,9 +18,10 @@ from ....names import Named
 from ....plane import Reals, nominal
 from ....words import Words
 from ...desk import Desk
+from .coils import turned
 from .off_paper import OffPaper
 from .pull import Acted, Pull
-from .springs import pulled, turned
+from .springs import pulled
 from .within import tell_windows
 
 Pulls = dict[str, Pull]

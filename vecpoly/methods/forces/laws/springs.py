@@ -4,24 +4,31 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....algebra.quantity import Expr, Quantity, Sum, magnitude
+from ....algebra.quantity import Expr, Sum, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import Reading, View
 from ....board.paper.marks import Dot, Role
 from ....diagram.single import pivot
 from ....diagram.springs.straight import damper, spring_symbol
-from ....diagram.springs.torsion import coil_symbol
 from ....errors import EquilibriumError
 from ....mechanism.asked.forces import spring_named
-from ....mechanism.laws.springs import Coil, Spring
+from ....mechanism.laws.springs import Spring
 from ....mechanism.laws.told import no_direction
-from ....mechanism.loads import Force, Moment
+from ....mechanism.loads import Force
 from ....mechanism.model import FRAME
 from ....plane import Points, Reals, ahead, dot, nominal, unit
 from ....words import Words
 from ..acting import OTHER_END
 from .off_paper import OffPaper
 from .pull import Pull
+
+LENGTH = Words("在图上量其长度", "measure its length on the diagram")
+RATE = Words(
+    "在速度多边形上将两端的相对速度投影到该方向，量得伸长的速度",
+    "on the velocity polygon project the velocity of one end relative to the other on this direction, and measure how "
+    "fast it grows",
+)
+ASIDE = 1.0  # mm: a tip this near to the line on which it is projected needs no perpendicular
 
 
 def pulled(at: OffPaper, spring: Spring) -> tuple[tuple[Force, ...], dict[str, Pull]]:
@@ -46,6 +53,13 @@ def pulled(at: OffPaper, spring: Spring) -> tuple[tuple[Force, ...], dict[str, P
     if spring.against == FRAME:
         return (force,), found
     back = _force(f"{spring.name}{OTHER_END}", spring.against, spring.foot, -along, size)
+    board = at.desk.board
+    board.remark(
+        Words(
+            f"构件 {spring.against} 受反向的力 ${back.name} = {spring.name}$。",
+            f" On link {spring.against} acts the opposite force, ${back.name} = {spring.name}$.",
+        )
+    )
     return (force, back), found | {back.name: Pull(size=way * size, along=-along)}
 
 
@@ -58,14 +72,14 @@ def _say(at: OffPaper, spring: Spring) -> None:
     """The step: the spring is drawn, and what is to be read."""
     board, ends = at.desk.board, f"{spring.foot}{spring.point}"
     what = Words("弹簧", "spring") if spring.stiffness else Words("阻尼器", "damper")
-    rate = Words("，在速度多边形上量其伸长的速度", ", and how fast it grows on the velocity polygon")
-    rate = rate if spring.damping else Words("", "")
+    read = [one for one, is_read in ((LENGTH, spring.stiffness), (RATE, spring.damping)) if is_read]
+    zh, en = "；".join(one.zh for one in read), ", and ".join(one.en for one in read)
     board.step(
         Words(
             f"{what.zh} ${spring.name}$ 连接 ${spring.foot}$、${spring.point}$ 两点，其力沿 ${ends}$："
-            f"在图上量其长度{rate.zh}。",
-            f"The {what.en} ${spring.name}$ joins ${spring.foot}$ and ${spring.point}$; its force acts along ${ends}$: "
-            f"measure its length on the diagram{rate.en}.",
+            f"{zh or '大小不变'}。",
+            f"The {what.en} ${spring.name}$ joins ${spring.foot}$ and ${spring.point}$; its force acts along "
+            f"${ends}$: {en or 'it is constant'}.",
         ),
         View.MECHANISM,
     )
@@ -109,52 +123,9 @@ def _damped(at: OffPaper, spring: Spring) -> list[tuple[Expr, int]]:
     letter = f"v_{{{spring.foot}{spring.point}}}"
     board.join(View.VELOCITY, base, end, Role.CONSTRUCTION)
     board.plot(View.VELOCITY, (base + end) / 2, letter, Dot.NONE)
+    if abs(float(nominal(np.abs(head - end)))) > ASIDE:
+        board.join(View.VELOCITY, head, end, Role.CONSTRUCTION)
+        board.right_angle(View.VELOCITY, end, unit(base - end), unit(head - end))
     on_paper = board.measure(base, end, letter)
     rate = board.compute(f"v_{{{spring.name.replace('_', '')}}}", board.mu(View.VELOCITY) * on_paper, "m/s")
     return [(magnitude("c", spring.damping, "N·s/m") * rate, 1 if float(nominal(part)) > 0 else -1)]
-
-
-def turned(at: OffPaper, coil: Coil) -> tuple[tuple[Moment, ...], dict[str, Pull]]:
-    """The couple of a torsion spring on its link, and the opposite one on the other if that moves."""
-    board = at.desk.board
-    named = spring_named(coil)
-    other = (
-        Words("机架", "the frame") if coil.against == FRAME else Words(f"构件 {coil.against} ", f"link {coil.against}")
-    )
-    what = Words("扭簧", "torsion spring") if coil.stiffness else Words("转动阻尼器", "rotary damper")
-    board.step(
-        Words(
-            f"{what.zh} ${coil.name}$ 在构件 {coil.link} 与{other.zh}之间：用量角器量相对转角。",
-            f"The {what.en} ${coil.name}$ joins link {coil.link} and {other.en}: the protractor shows their angle.",
-        ),
-        View.MECHANISM,
-    )
-    for pin in at.desk.mech.shared(coil.link, coil.against)[:1]:
-        board.depict(View.MECHANISM, coil_symbol(at.desk.at[pin]))
-    terms: list[tuple[Expr, int]] = []
-    if coil.preload:
-        terms.append((magnitude("M_{0}", abs(coil.preload), "N·m"), -1 if coil.preload > 0 else 1))
-    if coil.stiffness:
-        terms.append(_against(magnitude("k", coil.stiffness, "N·m/rad"), "Δφ", at.turned(coil), "rad"))
-    if coil.damping:
-        terms.append(_against(magnitude("c", coil.damping, "N·m·s"), "ω_{r}", at.turning(coil), "rad/s"))
-    total = sum(sign * float(nominal(term.value)) for term, sign in terms)
-    way, turn = (1, Words("逆", "counter-clockwise")) if total >= 0 else (-1, Words("顺", "clockwise"))
-    board.remark(
-        Words(f"它对构件 {coil.link} 的力矩为{turn.zh}时针方向。", f" Its moment on link {coil.link} is {turn.en}.")
-    )
-    whole = Sum(tuple(term for term, _ in terms), tuple(way * sign for _, sign in terms))
-    size = way * board.compute(named.symbol, whole, "N·m").value
-    value = float(nominal(size))
-    board.keep(Reading(key=named.key, symbol=named.symbol, unit="N·m", scalar=value), size)
-    moment = Moment(name=coil.name, link=coil.link, size=value)
-    if coil.against == FRAME:
-        return (moment,), {coil.name: Pull(size=size)}
-    back = Moment(name=f"{coil.name}{OTHER_END}", link=coil.against, size=-value)
-    return (moment, back), {moment.name: Pull(size=size), back.name: Pull(size=-size)}
-
-
-def _against(factor: Quantity, symbol: str, value: Reals, unit_text: str) -> tuple[Expr, int]:
-    """A term that turns against an angle, or a rate: its size, and its sign."""
-    sense = 1 if float(nominal(value)) >= 0 else -1
-    return factor * magnitude(symbol, sense * value, unit_text), -sense

@@ -91,12 +91,11 @@ def _bar(desk: Desk, contact: Contact, group: Group) -> Words:
 def _block(contact: Contact, group: Group) -> Words:
     o, real = contact.disc.centre, _real(group, contact)
     return Words(
-        f"高副低代：构件 {contact.on.link} 为平底，其曲率中心在无穷远处；以铰接于圆心 ${o}$、"
+        f"高副低代：构件 {contact.on.link} 为平底，其曲率中心在无穷远处；以铰接于另一廓线曲率中心 ${o}$、"
         f"沿平底方向滑动的滑块代替高副 ${contact.point}$，与构件 {real} 组成 {group.kind} 杆组。",
         f"Replace the higher pair: the face of link {contact.on.link} has its centre of curvature "
-        f"at infinity; a block pinned at the disc's centre ${o}$ and sliding parallel to the face "
-        f"stands for the contact ${contact.point}$, and with link {real} makes an {group.kind} "
-        "group.",
+        f"at infinity; a block pinned at the centre of curvature ${o}$ of the other profile and sliding parallel to "
+        f"the face stands for the contact ${contact.point}$, and with link {real} makes an {group.kind} group.",
     )
 
 
@@ -112,7 +111,7 @@ def _same_motion(contact: Contact, group: Group) -> Words:
 def _here(contact: Contact, group: Group) -> Words:
     """Why it serves at this place of a profile whose curvature changes."""
     return Words(
-        f"密切圆与廓线在 ${contact.point}$ 处有相同的切线和曲率，故此瞬时的加速度与高副相同，仍用该 {group.kind} "
+        f"曲率圆与廓线在 ${contact.point}$ 处有相同的切线和曲率，故此瞬时的加速度与高副相同，仍用该 {group.kind} "
         "杆组求解。",
         f"The osculating circle has the tangent and the curvature of the profile at ${contact.point}$, so that the "
         f"{group.kind} group has the accelerations of the higher pair at this instant.",

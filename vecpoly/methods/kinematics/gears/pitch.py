@@ -12,7 +12,6 @@ from collections.abc import Iterable
 
 from ....algebra.quantity import Expr, Quantity, magnitude
 from ....board.construction import View
-from ....board.paper.marks import Dot
 from ....mechanism.groups.assur import Group
 from ....mechanism.model import FRAME, Circle, Joint, Rack, Rolling
 from ....names import At, Kind, Rel, omega
@@ -24,6 +23,7 @@ from ...desk import POLE, Desk
 from ..image import imaged
 from ..lengths import write_lengths
 from ..terms import ABSENT, known
+from .translated import letter_translated
 
 
 def rolling_in(joints: Iterable[Joint]) -> tuple[Rolling, ...]:
@@ -85,9 +85,7 @@ def pitch_velocity(desk: Desk, joint: Rolling, link: str) -> None:
     elif not desk.has_tip(View.VELOCITY, At(h)):
         imaged(desk, View.VELOCITY, other, At(h))
         if desk.turns[omega(other)].never:
-            desk.board.plot(
-                View.VELOCITY, desk.tip(View.VELOCITY, At(h)), desk.tip_label(View.VELOCITY, At(h)), Dot.NONE
-            )
+            letter_translated(desk, View.VELOCITY, other, At(h))
 
 
 def normal_words(joint: Rolling) -> Words:
@@ -147,9 +145,7 @@ def partner_acceleration(desk: Desk, joint: Rolling, link: str) -> tuple[Term, .
     if not desk.has_tip(View.ACCELERATION, base):
         imaged(desk, View.ACCELERATION, other, base)
         if desk.turns[omega(other)].never:
-            desk.board.plot(
-                View.ACCELERATION, desk.tip(View.ACCELERATION, base), desk.tip_label(View.ACCELERATION, base), Dot.NONE
-            )
+            letter_translated(desk, View.ACCELERATION, other, base)
     return (known(desk, View.ACCELERATION, base),)
 
 

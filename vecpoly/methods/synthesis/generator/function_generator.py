@@ -155,16 +155,17 @@ def _with_crank(sheet: Sheet, crank: Reals) -> Sheet:
 
 
 def _freudenstein(sheet: Sheet) -> None:
-    """P0 = c/a, P1 = −c/d, P2 = (a² + c² + d² − b²) / (2 a d), a and c with their signs."""
+    """P0 = c/a, P1 = −c/d, P2 = (a² + c² + d² − b²) / (2 a d), a and c with their signs; b = l_BC, d = l_AD."""
     draft = sheet.draft
     told = Words(
-        "代入弗洛伊登斯坦方程 $cos φ = P_0 cos ψ + P_1 cos(ψ − φ) + P_2$ 校核；与标线方向相反的杆长取负值：",
-        "Check by Freudenstein's equation $cos φ = P_0 cos ψ + P_1 cos(ψ − φ) + P_2$; a link that points against its "
-        "line counts as negative:",
+        "代入弗洛伊登斯坦方程 $cos φ = P_0 cos ψ + P_1 cos(ψ − φ) + P_2$ 校核；$a$、$c$ 即 $l_{AB}$、"
+        "$l_{CD}$，与标线方向相反时取负值：",
+        "Check by Freudenstein's equation $cos φ = P_0 cos ψ + P_1 cos(ψ − φ) + P_2$; $a$ and $c$ are "
+        "$l_{AB}$ and $l_{CD}$, negative where the link points against its line:",
     )
     draft.board.step(told, SHEET)
     a, c = (_signed(sheet, key, *at) for key, at in (("a", (AB, "AM", "B")), ("c", (CD, "DN", "C"))))
-    b, d = (magnitude(key, draft.own(named), "mm") for key, named in (("b", BC), ("d", AD)))
+    b, d = (magnitude(key, draft.own(named), "mm") for key, named in (("l_{BC}", BC), ("l_{AD}", AD)))
     draft.worked(draft.of_this(P0), c / a)
     draft.worked(draft.of_this(P1), Sum((c / d,), (-1,)))
     draft.worked(draft.of_this(P2), (a.squared() + c.squared() + d.squared() - b.squared()) / (TWO * a * d))

@@ -71,8 +71,8 @@ def _rim(rim: Rim, inertia: float, speed: float) -> dict[str, complex | float]:
     inner, outer = rim.D.si / 2 - high / 2, rim.D.si / 2 + high / 2
     found: dict[str, complex | float] = {
         asked.RIM_MASS.key: mass,
-        asked.RIM_H.key: 1e3 * high,
-        asked.RIM_B.key: 1e3 * high * rim.ratio.si,
+        asked.RIM_H.key: high,
+        asked.RIM_B.key: high * rim.ratio.si,
         asked.RIM_SPEED.key: speed * outer,
         asked.RIM_J.key: mass * (inner**2 + outer**2) / 2,
     }

@@ -131,7 +131,7 @@ def told_spring(spring: Elastic, spec: LoadSpec, mech: Mechanism) -> Datum:
     symbols = (("k", "k"), ("l_0", "l_0"), ("phi_0", "φ_0"), ("preload", "F_0"), ("c", "c"))
     values = [
         Words.same(f"${'M_0' if key == 'preload' and isinstance(spring, Coil) else symbol}$ = {written(told)}")
-        + (_angle_of(spring, mech) if key == "phi_0" and isinstance(spring, Coil) else Words("", ""))
+        + (angle_of(spring, mech) if key == "phi_0" and isinstance(spring, Coil) else Words("", ""))
         for key, symbol in symbols
         if (told := getattr(spec, key)) is not None
     ]
@@ -152,7 +152,7 @@ def told_spring(spring: Elastic, spec: LoadSpec, mech: Mechanism) -> Datum:
     )
 
 
-def _angle_of(coil: Coil, mech: Mechanism) -> Words:
+def angle_of(coil: Coil, mech: Mechanism) -> Words:
     """Of which line the free angle is, and from where it counts: a link is turned as the line of its first letters."""
     axes = [mech.link(name).axis for name in (coil.link, coil.against)]
     if len(axes[0]) < 2:

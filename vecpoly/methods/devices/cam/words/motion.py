@@ -29,12 +29,14 @@ _HOW = {
         "a semicircle over the stroke is divided into as many parts, and levels are drawn from its points",
     ),
     Law.SINE: Words(
-        "以 $h$/2π 为半径的滚圆按相同的份数等分，各分点投影到纵轴后作对角线的平行线",
-        "a rolling circle of radius $h$/2π is divided into as many parts; its points are projected on the axis and "
-        "carried on parallel to the diagonal",
+        "以行程的 1/2π 为半径的滚圆按相同的份数等分，各分点投影到纵轴后作对角线的平行线",
+        "a rolling circle whose radius is the stroke over 2π is divided into as many parts; its points are projected "
+        "on the axis and carried on parallel to the diagonal",
     ),
     Law.POLYNOMIAL: Words(
-        "按 $s$/$h$ = 10$u$³ − 15$u$⁴ + 6$u$⁵ 列表取值", "heights by the table of $s$/$h$ = 10$u$³ − 15$u$⁴ + 6$u$⁵"
+        "位移为行程的 10$u$³ − 15$u$⁴ + 6$u$⁵ 倍（$u$ 为转过的角度与该段运动角之比），列表取值",
+        "the displacement is 10$u$³ − 15$u$⁴ + 6$u$⁵ of the stroke, $u$ being the share of the angle of this motion "
+        "that is gone, by a table",
     ),
 }
 
