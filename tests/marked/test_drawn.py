@@ -217,7 +217,7 @@ def test_grades_feedback_and_record_tell_of_the_lines(folder: Path, file: Path, 
     assert float(rows[0]["3-9:图线"]) > float(rows[1]["3-9:图线"]) > 0 == float(rows[2]["3-9:图线"])
     record = json.loads((tmp_path / "marks.json").read_text("utf-8"))
     assert [bool(one["problems"]["3-9"].get("lines")) for one in record["students"]] == [True, True, False]
-    with pdfplumber.open(tmp_path / "feedback" / f"{NUMBERS[1]}__李四.pdf") as pages:
+    with pdfplumber.open(tmp_path / "feedback" / f"{NUMBERS[1]}_李四.pdf") as pages:
         text = "".join(page.extract_text() for page in pages.pages)
     assert "据此给图线分" in text and "不重复扣分" in text
 

@@ -34,7 +34,7 @@ def test_rows_are_marked_counted_and_told_and_whoever_typed_none_loses_nothing(t
     assert [float(row["3-9:方程"]) for row in grades] == [5.0, 4.5, 0.0]
     found = next(one for one in items(done.results) if one.key.en == "equation 1, magnitude")
     assert (found.counts["right"], found.counts["close"]) == (1, 1) and "v_{C2B}" in found.slips[0][0].en
-    with pdfplumber.open(tmp_path / "out" / "feedback" / f"{NUMBERS[1]}__李四.pdf") as book:
+    with pdfplumber.open(tmp_path / "out" / "feedback" / f"{NUMBERS[1]}_李四.pdf") as book:
         text = "".join(page.extract_text() for page in book.pages)
     assert "方程 1 大小" in text and "未知" in text
 

@@ -13,6 +13,7 @@ import pytest
 from openpyxl import Workbook, load_workbook
 
 from tests.marked.classes import NUMBERS, answers, everybody, graded, register, wide
+from vecpoly.batch.run.tasks import question_file
 from vecpoly.errors import TableError, UnknownNameError, VecpolyError
 from vecpoly.grading.key import Points
 from vecpoly.grading.rules import Rules
@@ -146,7 +147,8 @@ def test_everybody_who_returned_something_gets_a_sheet_that_names_the_reason(tmp
     rows = {number: answers(number, change) for number, change in zip(NUMBERS, (halved, lengthened), strict=False)}
     done = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows), feedback=True)
     sheets = sorted(path.name for path in (tmp_path / "out" / "feedback").iterdir())
-    assert sheets == ["2023001_张三.pdf", "2023002__李四.pdf"] and not done.results[2].returned
+    assert sheets == ["2023001_张三.pdf", "2023002_李四.pdf"] and not done.results[2].returned
+    assert [f"questions/{name}" for name in sheets] == [question_file(one.student) for one in done.results[:2]]
     with pdfplumber.open(tmp_path / "out" / "feedback" / sheets[0]) as book:
         texts = [page.extract_text() for page in book.pages]
         lines = sum(len(page.lines) + len(page.curves) for page in book.pages)

@@ -8,6 +8,7 @@ from typing import Any
 
 from ...batch.codes import SCHEME
 from ...batch.register import Part, Register, Sheet
+from ...batch.run.tasks import file_name
 from ...batch.sheet.marks import TINY, write
 from ...board.hand import hand
 from ...board.otherwise.amended import AS_DRAWN
@@ -70,7 +71,7 @@ def feedback_files(
     files: list[Path] = []
     for done, result in enumerate(written, 1):
         sheet = feedback_bytes(register, result, lang, rules)
-        files.append(write_whole(out / "feedback" / f"{_file(result)}.pdf", sheet))
+        files.append(write_whole(out / "feedback" / f"{file_name(result.student)}.pdf", sheet))
         told(Words("写反馈", "writing feedback"), done, len(written))
     return files
 
@@ -219,9 +220,3 @@ def _fits(scene: Scene) -> bool:
 def _block(scene: Scene, said: str) -> Drawing:
     e = scene.extents
     return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), said)
-
-
-def _file(result: Result) -> str:
-    """NUMBER_NAME, in letters that every system's files may have."""
-    bare = "".join(char if char.isalnum() or char in "-._" else "_" for char in result.student.name)
-    return f"{result.student.number}_{bare}" if bare else result.student.number
