@@ -110,7 +110,7 @@ def _tried(drawn: Sequence[Mutant], budget: float, files: Sequence[str]) -> None
             lambda mutant, tests: (
                 *_of_sources(mutant),
                 *(
-                    known.chosen(str(mutant.path), mutant.function, budget)
+                    known.chosen(str(mutant.path), mutant.function, budget, tests)
                     if known.knows(str(mutant.path))
                     else alike(str(mutant.path), tests)
                 ),

@@ -154,17 +154,20 @@ class Touched:
         """Whether any test calls anything in this file."""
         return any(place.startswith(f"{path}:") for place in self.calls)
 
-    def chosen(self, path: str, function: str, budget: float) -> tuple[str, ...]:
-        """The tests that call the function (or anything in its file),
-        quickest first, then their neighbours, within so many seconds."""
+    def chosen(self, path: str, function: str, budget: float, tests: Sequence[str]) -> tuple[str, ...]:
+        """The tests that call the function (or anything in its file), quickest first, then the parameters of these that
+        the map does not know (`--few`), then their neighbours, within so many seconds; tests: all that there are."""
         here = self.calls.get(f"{path}:{function}") or sorted(
             {test for place, tests in self.calls.items() if place.startswith(f"{path}:") for test in tests}
         )
         files, known = {test.split("::")[0] for test in here}, set(here)
         near = [test for test in self.seconds if test.split("::")[0] in files and test not in known]
+        took = {test.split("[")[0]: self._took(test) for test in here}
+        like = [test for test in tests if test not in self.seconds and test.split("[")[0] in took]
+        like.sort(key=lambda test: took[test.split("[")[0]])
         taken, spent = list[str](), 0.0
-        for test in [*sorted(here, key=self._took), *sorted(near, key=self._took)]:
-            spent += self._took(test)
+        for test in [*sorted(here, key=self._took), *like, *sorted(near, key=self._took)]:
+            spent += self.seconds.get(test, took.get(test.split("[")[0], 1.0))
             if spent > budget and taken:
                 break
             taken.append(test)
