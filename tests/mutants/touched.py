@@ -155,19 +155,19 @@ class Touched:
         return any(place.startswith(f"{path}:") for place in self.calls)
 
     def chosen(self, path: str, function: str, budget: float, tests: Sequence[str]) -> tuple[str, ...]:
-        """The tests that call the function (or anything in its file), quickest first, then the parameters of these that
-        the map does not know (`--few`), then their neighbours, within so many seconds; tests: all that there are."""
+        """The tests that call the function (or anything in its file), with the parameters of these that the map does
+        not know (`--few`), quickest first, then their neighbours, within so many seconds; tests: all that there are."""
         here = self.calls.get(f"{path}:{function}") or sorted(
             {test for place, tests in self.calls.items() if place.startswith(f"{path}:") for test in tests}
         )
-        files, known = {test.split("::")[0] for test in here}, set(here)
-        near = [test for test in self.seconds if test.split("::")[0] in files and test not in known]
         took = {test.split("[")[0]: self._took(test) for test in here}
-        like = [test for test in tests if test not in self.seconds and test.split("[")[0] in took]
-        like.sort(key=lambda test: took[test.split("[")[0]])
+        unheard = {test: took[of] for test in tests if test not in self.seconds and (of := test.split("[")[0]) in took}
+        first = {test: self._took(test) for test in here} | unheard
+        files = {test.split("::")[0] for test in here}
+        near = {test: took for test, took in self.seconds.items() if test.split("::")[0] in files and test not in first}
         taken, spent = list[str](), 0.0
-        for test in [*sorted(here, key=self._took), *like, *sorted(near, key=self._took)]:
-            spent += self.seconds.get(test, took.get(test.split("[")[0], 1.0))
+        for test, seconds in [*sorted(first.items(), key=_second), *sorted(near.items(), key=_second)]:
+            spent += seconds
             if spent > budget and taken:
                 break
             taken.append(test)
@@ -175,6 +175,10 @@ class Touched:
 
     def _took(self, test: str) -> float:
         return self.seconds.get(test, 1.0)
+
+
+def _second(pair: tuple[str, float]) -> float:
+    return pair[1]
 
 
 def touched() -> Touched:
