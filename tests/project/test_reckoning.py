@@ -48,3 +48,13 @@ def test_what_is_shown_is_read_back(a: int) -> None:
 def test_what_is_no_expression_is_refused(text: str) -> None:
     with pytest.raises(FaultError):
         reckon(text, {})
+
+
+def test_a_name_that_is_not_known_is_told_with_those_of_its_part_or_with_the_parts() -> None:
+    known = {"linkage.AB": Amount.of(30, "mm"), "linkage.CD": Amount.of(60, "mm"), "gears.z": Amount(20)}
+    with pytest.raises(FaultError, match="no quantity 'linkage.BA'; known here: linkage.AB, linkage.CD$"):
+        reckon("2 * linkage.BA", known)
+    with pytest.raises(FaultError, match="no quantity 'cam.h'; known here: gears, linkage$"):
+        reckon("cam.h", known)
+    with pytest.raises(FaultError, match="only earlier parts"):
+        reckon("cam.h", {})
