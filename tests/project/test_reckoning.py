@@ -52,9 +52,9 @@ def test_what_is_no_expression_is_refused(text: str) -> None:
 
 def test_a_name_that_is_not_known_is_told_with_those_of_its_part_or_with_the_parts() -> None:
     known = {"linkage.AB": Amount.of(30, "mm"), "linkage.CD": Amount.of(60, "mm"), "gears.z": Amount(20)}
-    with pytest.raises(FaultError, match="no quantity 'linkage.BA'; known here: linkage.AB, linkage.CD$"):
+    with pytest.raises(FaultError, match=r"no quantity 'linkage\.BA'; known here: linkage\.AB, linkage\.CD$"):
         reckon("2 * linkage.BA", known)
-    with pytest.raises(FaultError, match="no quantity 'cam.h'; known here: gears, linkage$"):
+    with pytest.raises(FaultError, match=r"no quantity 'cam\.h'; known here: gears, linkage$"):
         reckon("cam.h", known)
     with pytest.raises(FaultError, match="only earlier parts"):
         reckon("cam.h", {})

@@ -191,10 +191,9 @@ def _wanted(
 
 
 def _sought(subject: Subject) -> list[str]:
-    """What is asked where nothing is said: of a synthesis nothing that is given, for that is no answer."""
+    """What is asked where nothing is said."""
     usual = subject.usual() if isinstance(subject, devices.Device) else subject.quantities()
-    given = {symbol for symbol, _ in subject.given()} if isinstance(subject, designs.Design) else set()
-    return [one.key for one in usual if one.symbol not in given] or [one.key for one in usual]
+    return [one.key for one in usual]
 
 
 def _known(key: str, named: dict[str, Named], sort: Sort) -> Named:

@@ -3,7 +3,7 @@ the collar adds its own."""
 
 from __future__ import annotations
 
-from math import floor, log10
+from math import floor, isfinite, log10
 
 import numpy as np
 
@@ -118,9 +118,10 @@ def _moments(bench: Bench, device: ScrewJack, m1: Quantity, m2: Quantity, m0: Qu
 
 
 def _thousandth(load: Reals) -> str:
-    """The load in kN with the figures that it has in N, in all lines."""
+    """The load in kN with the figures that it has in N, in all lines; by a mistake it may come out below zero."""
     size = float(nominal(load))
-    return number(size / 1e3, max(FIGURES, floor(log10(size)) + 1))
+    whole = floor(log10(abs(size))) + 1 if isfinite(size) and size else 0
+    return number(size / 1e3, max(FIGURES, whole))
 
 
 def _bracketed(node: Node) -> Node:
