@@ -122,7 +122,7 @@ CHOSEN = re.compile(
     r"（取.*?）|（两条切线.*?）| \((?:of the two|the one|that).*?\)"
 )  # by a statement, of which there may be another
 LEVEL = re.compile(
-    r"the (?:horizontal|vertical|\$x\$ axis)(?: \((?:counter-)?clockwise\))?|（由后者[顺逆]时针量）"
+    r"the (?:horizontal|vertical|\$x\$ axis)(?: \((?:counter-)?clockwise\))?|（自[^（）]*?[顺逆]时针量）"
     r"|, (?:counter-)?clockwise from the latter|(?:水平|竖直|铅垂|[上下左右]方?)+"
     r"|(?:(?:to the |on the |on its |its )?(?:horizontal(?:ly)?|vertical(?:ly)?|above|below|upwards?|downwards?"
     r"|upper|lower|left|right)(?: of)?\b ?)+"

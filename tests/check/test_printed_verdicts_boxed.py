@@ -12,7 +12,7 @@ from vecpoly.words import Lang
 
 
 @pytest.mark.parametrize(
-    ("lang", "parts"), [("zh", ("总评", "逐项说明", "关于原书")), ("en", ("On the whole", "Item by item"))]
+    ("lang", "parts"), [("zh", ("总评", "逐项说明", "关于原书")), ("en", ("Overall", "Item by item"))]
 )
 def test_one_error_of_a_whole_book_is_told_in_one_box(lang: Lang, parts: tuple[str, ...]) -> None:
     solution = solve(load("C-conveyor"), by="exact", repeats=0)

@@ -230,7 +230,7 @@ def test_the_length_told_of_an_arc_or_a_line_is_its_own_and_the_way_there_and_ba
     (of_line,) = path_sentences(slider, line)
     said = "Point $C$ moves on a straight line 100 mm long and passes it twice per cycle"
     assert of_line.en == f"{said}: the distance travelled is 200 mm."
-    assert of_line.zh == "点 $C$ 的轨迹为一段直线，长 100 mm，每循环往复走过 2 次，总路程为 200 mm。"
+    assert of_line.zh == "点 $C$ 的轨迹为一段直线，长 100 mm，每循环沿此线走过 2 次，总路程为 200 mm。"
     (of_arc,) = path_sentences(rocker, arc)
     assert f"arc {1e3 * 0.15 * swing.swing:.1f} mm long" in of_arc.en
 

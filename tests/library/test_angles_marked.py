@@ -6,13 +6,17 @@ import re
 from itertools import combinations
 from math import degrees, pi
 
-from tests.drawn_library import IDS, drawn, given, ids
+import pytest
+
+from tests.drawn_library import IDS, LIBRARY, drawn, given, ids
 from tests.each import Later, each
 from tests.found import APART
 from vecpoly.board.paper.marks import AngleMark, Ground, Point
 from vecpoly.designs.base import Design
+from vecpoly.designs.limit_lines import LimitLines
 
 NUMBERED = re.compile(r"= *−?(\d+(?:\.(\d+))?)°")
+COMPLEMENT, DEGREES = re.compile(r"90° − (\S+)"), re.compile(r"([\d.]+) deg")
 NUMBERS = re.compile(r"\^\{\(\d+\)\}")  # of a solution: marked with it, and read without where one was taken
 LIMITS = ("8-3a", "8-3b", "8-3c", "8-17", "8-18")  # angles that are read in a given mechanism
 DESIGNS = Later(lambda: (name for name in dict.fromkeys((*IDS, *LIMITS)) if isinstance(given(name).subject, Design)))
@@ -24,6 +28,24 @@ def test_an_angle_with_a_number_is_so_wide(name: str) -> None:
         if (told := NUMBERED.search(mark.label)) is not None:
             half = 0.5001 * 10.0 ** -len(told[2] or "")
             assert abs(abs(degrees(mark.sweep)) - float(told[1])) <= half, mark
+
+
+def test_the_complement_of_a_pressure_angle_is_marked_as_wide_where_the_line_is_produced_backwards_too() -> None:
+    """The arc ran to the pivot, 130° under the letters of 50°."""
+    marks = [mark for mark in angles("8-5") if mark.label == "90° − α_1"]
+    assert [round(abs(degrees(mark.sweep)), 6) for mark in marks] == [50.0, 50.0]
+    steps = [step.words.en for step in drawn("8-5").construction.steps]
+    assert sum("produced backwards through $C_1$" in one for one in steps) == 1
+
+
+@each(Later(lambda: (one for one in (*LIBRARY, *APART) if isinstance(given(one).subject, LimitLines))))
+def test_an_angle_under_the_letters_of_a_complement_is_that_complement(name: str) -> None:
+    told = dict(given(name).design.given())
+    marks = [(mark, found[1]) for mark in angles(name) if (found := COMPLEMENT.fullmatch(mark.label))]
+    assert marks
+    for mark, symbol in marks:
+        (size,) = DEGREES.fullmatch(told[symbol]).groups()  # type: ignore[union-attr]
+        assert abs(degrees(mark.sweep)) == pytest.approx(90.0 - float(size)), mark
 
 
 def angles(name: str) -> list[AngleMark]:

@@ -114,7 +114,7 @@ data:
     [
         (_SLOTTED.replace("SLOT", "left: 23 mm"), "构件 1 的滑道在 $A$ 左侧 23 mm"),
         (_SLOTTED.replace("SLOT", "right: -23 mm"), "构件 1 的滑道在 $A$ 左侧 23 mm"),
-        (_DRIVEN, "构件 3 的滑道与 $DC$ 成 11.5°（由后者逆时针量），沿此方向看在 $D$ 右侧 7.25 mm"),
+        (_DRIVEN, "构件 3 的滑道与 $DC$ 成 11.5°（自 $DC$ 逆时针量），沿此方向看在 $D$ 右侧 7.25 mm"),
     ],
 )
 def test_the_line_of_a_slot_that_a_reader_could_not_know_is_told(text: str, said: str, tmp_path: Path) -> None:
@@ -139,7 +139,7 @@ find: [v_C]
     ("guide", "said"),
     [
         ("y = 55 mm", "$C$ 的导路 $y_C$ = 55 mm"),
-        ("line through D at -15 deg", "过 $D$ 的导路与水平方向成 15°（由后者顺时针量）"),
+        ("line through D at -15 deg", "过 $D$ 的导路与水平方向成 15°（自水平方向顺时针量）"),
         ("AD", ""),
     ],
 )

@@ -74,6 +74,17 @@ def test_a_bar_in_a_frame_is_as_long_as_its_round_value_is_to_scale(name: str) -
     assert bars
 
 
+@pytest.mark.parametrize("name", ["straight-chebyshev", "straight-hoecken", "straight-roberts"])
+def test_a_bar_under_a_magnified_height_holds_as_it_lies_and_says_so(name: str) -> None:
+    """It lay level and told heights."""
+    (frame,) = (one for one in blank_of(name).figures if one.scale.across is not None)
+    (told,) = (mark.words.en for mark in frame.marks if mark.key == BAR and isinstance(mark, Note))
+    long = max(abs(mark.b - mark.a) for mark in frame.marks if mark.key == BAR and isinstance(mark, Segment))
+    assert told == f"along $x$: {long * frame.scale.right.value:.3g} mm (real)"
+    lines = {mark.words.en.partition(" ")[0] for mark in frame.marks if isinstance(mark, Note) and mark.key == READ}
+    assert {"$L$", "$δ$"} <= lines
+
+
 @pytest.mark.parametrize("name", ["winch-gears", "4-3c", "six-bar-dynamic", "3-9"])
 def test_the_bar_of_a_scale_lies_in_its_frame_with_its_value(name: str) -> None:
     """In a slim frame it began in the one beside it."""

@@ -117,7 +117,7 @@ def test_a_count_that_agrees_is_the_same_as_the_books() -> None:
 def test_an_angle_is_told_as_it_is_given() -> None:
     """190° stays 190°, and a gear that stands about another one is a ring gear."""
     told = _told("two-trains-one-sun")
-    assert "成 190°（由后者逆时针量）定出" in told and "−170°" not in told and "固定内齿轮上纯滚动" in told
+    assert "成 190°（自 $x$ 轴逆时针量）定出" in told and "−170°" not in told and "固定内齿轮上纯滚动" in told
 
 
 def test_a_module_is_no_metre() -> None:

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 import vecpoly
 from tests.drawn_library import LIBRARY, given
 from vecpoly.algebra.formula import plain
+from vecpoly.check.printed.answers import check_problem
 from vecpoly.report.answers.line import result_of
 from vecpoly.report.answers.notes import remark_of
 from vecpoly.report.sources import printed_source
 from vecpoly.report.statement.asked import asked
 from vecpoly.words import Lang, Words
+
+ADAPTED = re.compile("另定|改为")
 
 
 @pytest.mark.parametrize(
@@ -33,6 +38,23 @@ def test_no_page_tells_what_only_its_makers_need(lang: Lang) -> None:
     told = [printed_source(given(name).source, lang) for name in LIBRARY]
     assert len(list(filter(None, told))) > 80
     assert not [one for one in told if "自拟" in one or "失" in one or " our" in one or "lost" in one]
+
+
+def test_a_problem_that_is_judged_by_the_book_says_what_it_has_in_common_with_it() -> None:
+    """ "Different mechanism" stood on the first page, and "All counts agree with the textbook answers" on the last."""
+    adapted = [one for one in map(given, LIBRARY) if one.printed and one.source and ADAPTED.search(one.source.zh)]
+    assert len(adapted) > 12
+    for one in adapted:
+        assert one.source is not None
+        counts = all(printed.symbol.split("_")[0] in ("n", "p", "F") for printed in one.printed)
+        shared = "同原题" in one.source.zh and " same " in one.source.en
+        by_book = "原书" in one.source.zh and "printed" in one.source.en
+        assert shared or by_book or (counts and "尺寸另定" in one.source.zh), one.id
+
+
+def test_lengths_to_a_lost_figure_are_told_to_be_no_answers_of_these_data() -> None:
+    whole = check_problem(given("8-5")).whole
+    assert whole is not None and "不属于本题的尺寸" in whole.zh and "not to the dimensions here" in whole.en
 
 
 def test_the_source_of_a_problem_without_one_is_nothing() -> None:

@@ -108,11 +108,11 @@ def test_a_pitch_line_is_told_by_the_pin_or_the_line_through_which_it_runs() -> 
 
 @pytest.mark.parametrize("name", ["straight-roberts", "cognates"])
 def test_the_coordinates_of_a_coupler_point_are_told_to_be_those_of_the_coupler(name: str) -> None:
-    assert "$E$ 的坐标以 $B$ 为原点、$BC$ 为横轴（纵轴在其左侧）" in _data(load(name))
+    assert "$E$ 的坐标以 $B$ 为原点，$x$ 轴沿 $BC$，$y$ 轴在其左侧" in _data(load(name))
 
 
 def test_a_guide_bar_that_is_not_square_to_its_guide_leans_to_one_side() -> None:
-    assert "构件 3 的滑道与导路成 60°（由后者顺时针量）" in _data(load("3-14"))
+    assert "构件 3 的滑道与导路成 60°（自导路顺时针量）" in _data(load("3-14"))
     assert any(one == "构件 3 的滑道与导路成 90°" for one in _data(load("3-7d")))
 
 

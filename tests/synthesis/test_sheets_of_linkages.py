@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 from tests.drawn_library import LIBRARY, drawn, given
 from tests.each import Later, each
 from vecpoly.board.construction import View
 from vecpoly.board.paper.marks import Point, Role, Segment, Vector
 from vecpoly.designs.base import Design
+from vecpoly.designs.inversion.positions import Positions
 
 DESIGNS = Later(lambda: [name for name in LIBRARY if isinstance(given(name).subject, Design)])
 ON, LEAST = 0.2, 2.0  # mm: lines that are one; of dashes over dashes
@@ -50,3 +53,17 @@ def test_the_stroke_and_the_offset_of_a_slider_crank_stand_on_its_sheet() -> Non
     assert reading is not None
     assert any(abs(size - reading * 1e-3) < 1e-4 for size in spanned("8-3b", "H")), spanned("8-3b", "H")
     assert any(abs(size - 0.028) < 1e-6 for size in spanned("8-3b", "e"))
+
+
+@each(Later(lambda: [name for name in LIBRARY if isinstance(given(name).subject, Positions)]))
+def test_the_origin_of_a_body_in_each_position_is_a_point_of_its_sheet(name: str) -> None:
+    """ "Draw the three positions of the body S" was said, and no S was drawn."""
+    subject, (figure, *_) = given(name).subject, drawn(name).figures(View.MECHANISM)
+    assert isinstance(subject, Positions)
+    marks = [mark for mark in figure.marks if isinstance(mark, Point) and mark.label]
+    first = next(iter(drawn(name).construction.steps)).words.en
+    origins = [pose.position.at / figure.scale.value for pose in subject.poses]
+    start = next(mark.at for mark in marks if re.fullmatch("[BCPS]_1", mark.label) and abs(mark.at - origins[0]) < ON)
+    for at in origins:
+        (mark, *_) = (mark for mark in marks if abs(mark.at - start - (at - origins[0])) < ON)
+        assert mark.label[0] != "S" or "$S_i$" in first

@@ -9,8 +9,8 @@ from ..units.reading import Quantity
 from ..words import Words
 
 OF_COUPLER = Words(
-    "$E$ 的坐标以 $B$ 为原点、$BC$ 为横轴（纵轴在其左侧）",
-    "the coordinates of $E$ count from $B$, with $BC$ for the axis of abscissae and the ordinate to the left of it",
+    "$E$ 的坐标以 $B$ 为原点，$x$ 轴沿 $BC$，$y$ 轴在其左侧",
+    "the coordinates of $E$ have the $x$ axis along $BC$, the origin in $B$, and the $y$ axis to the left of $BC$",
 )
 
 

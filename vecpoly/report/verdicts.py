@@ -12,7 +12,7 @@ from ..words import Lang, Words, joined, stopped
 from .tables import counted, percent, symbol_of
 
 _HEADINGS = {
-    "fail": Words("总评：", "On the whole: "),
+    "fail": Words("总评：", "Overall: "),
     "warn": Words("逐项说明：", "Item by item: "),
     "note": Words("关于原书：", "On the textbook solution: "),
     "pass": Words.same(""),

@@ -22,7 +22,7 @@ from ...report.tables import given_tables
 from ...report.templates import filled
 from ...solution import Solution
 from ...typeset.box import MM
-from ...variants.frames import beside_sheet
+from ...variants.frames import beside_sheet, on_sheet
 from ...words import Lang, Words
 from .layout import BOTTOM, LEFT, RIGHT, TOP
 
@@ -55,6 +55,7 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
         **beside_tables(solution, lang),
         "blanks": [objects.add("eq", _emptied(table, n)) for n, table in enumerate(tables, 1)],
         "data": [objects.add("tab", one) for one in given_tables(solution.problem, lang)],
+        "alone": len(on_sheet(solution.construction.figures)) == 1,
         "unframed": Words("、", ", ").of(lang).join(one.title.of(lang) for one in beside),
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }

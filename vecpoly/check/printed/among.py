@@ -37,10 +37,11 @@ def among(problem: Problem, printed: Sequence[Printed]) -> Words | None:
     listed = [f"$l_{{{bar}}}$ = {lengths[bar]:.4g}" for bar in BARS]
     asked, blamed = f"$α_1$ = {degrees(given):g}°", _blamed(lengths, given)
     return Words(
-        f"原书答案 {'、'.join(listed)} mm 自相矛盾：按此四个长度，两极限位置的压力角为 {told[0]} 和 {told[1]}，"
-        f"都不是 {asked}；{blamed.zh}。",
-        f"The printed lengths {', '.join(listed)} mm contradict the data: with them the pressure angles in the limit "
-        f"positions are {told[0]} and {told[1]}, neither of them {asked}; {blamed.en}.",
+        f"原书答案 {'、'.join(listed)} mm 属于原书的图，不属于本题的尺寸，却与两者共有的压力角矛盾："
+        f"按此四个长度，两极限位置的压力角为 {told[0]} 和 {told[1]}，都不是 {asked}；{blamed.zh}。",
+        f"The printed lengths {', '.join(listed)} mm belong to the book's own figure, not to the dimensions here, yet "
+        f"contradict the pressure angle that both have: with them those in the limit positions are {told[0]} and "
+        f"{told[1]}, neither of them {asked}; {blamed.en}.",
     )
 
 

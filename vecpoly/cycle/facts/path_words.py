@@ -66,7 +66,7 @@ def _swept(cycle: Cycle, found: Path, start: Words) -> Words:
             f", on which it reverses; the distance travelled {span.en} is {all_} mm.",
         )
     return start + Words(
-        f"，{span.zh}往复走过 {found.passes} 次，总路程为 {all_} mm。",
+        f"，{span.zh}沿此线走过 {found.passes} 次，总路程为 {all_} mm。",
         f" and passes it {_TIMES.get(found.passes, f'{found.passes} times')} {span.en}: the distance travelled is "
         f"{all_} mm.",
     )

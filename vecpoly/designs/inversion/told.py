@@ -30,9 +30,7 @@ def rocker_task(line: OnLine | None, count: int, *, turned: bool) -> Words:
     turned: whether the angle between pin and line is asked."""
     where = Words.same("")
     if line is not None:
-        where = carried("C", line) + Words(
-            "（原点 $D$，横轴沿 $DE$）", " (the origin in $D$, the axis of abscissae along $DE$)"
-        )
+        where = carried("C", line) + Words("（原点 $D$，$x$ 轴沿 $DE$）", " ($x$ axis along $DE$, origin $D$)")
     elif count == 2:
         where = Words("$C$ 在标线 $DE$ 上", "$C$ lies on the line $DE$")
     return sentence(
@@ -53,9 +51,7 @@ def slider_task(guide: OnLine, line: OnLine | None, count: int, *, turned: bool)
     """Angles of a line AE of the input link and places of the slider's pin C along its guide."""
     where = Words.same("")
     if line is not None:
-        where = carried("B", line) + Words(
-            "（原点 $A$，横轴沿 $AE$）", " (the origin in $A$, the axis of abscissae along $AE$)"
-        )
+        where = carried("B", line) + Words("（原点 $A$，$x$ 轴沿 $AE$）", " ($x$ axis along $AE$, origin $A$)")
     elif count == 2:
         where = Words("$B$ 在标线 $AE$ 上", "$B$ lies on the line $AE$")
     return sentence(

@@ -99,6 +99,6 @@ def rejected(draft: Draft, verdict: Verdict) -> None:
         draft.board.remark(
             Words(
                 f" 候选解 {n} 舍去：{why.zh}，以细虚线保留。",
-                f" Candidate {n} is rejected: {why.en}; it stays in thin dashes.",
+                f" Candidate {n} is rejected: {why.en}; it is drawn in thin dashes.",
             )
         )

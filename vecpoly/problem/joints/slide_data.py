@@ -58,9 +58,9 @@ def note_slide(m: re.Match[str], block: Draft, guide: str, pin: str) -> None:
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
-        way = side_of(turn if turn <= RIGHT else turn - 180.0, RIGHT)
         own = _OWN.get(block.shape, Words("", ""))
         on = _guide_told(m["guide"])
+        way = side_of(turn if turn <= RIGHT else turn - 180.0, on, RIGHT)
         block.say(
             Words(
                 f"构件 {block.name} {own.zh}与{on.zh}成 {acute:g}°{way.zh}",

@@ -8,20 +8,20 @@ from ...words import Words
 
 X_AXIS = Words(" $x$ 轴", "the $x$ axis")
 NO_SIDE = Words("", "")
-CLOCKWISE = Words("（由后者顺时针量）", ", clockwise from the latter")
-COUNTER_CLOCKWISE = Words("（由后者逆时针量）", ", counter-clockwise from the latter")
 
 
-def side_of(turn: float, *none: float) -> Words:
-    """Which way an angle (degrees, −180 to 180) counts; of none, and of those that have no side, nothing."""
+def side_of(turn: float, other: Words, *none: float) -> Words:
+    """Which way an angle (degrees, −180 to 180) counts from another line; of none, and of those that have no side,
+    nothing."""
     if any(isclose(abs(turn), one, abs_tol=1e-9) for one in (0.0, *none)):
         return NO_SIDE
-    return CLOCKWISE if turn < 0 else COUNTER_CLOCKWISE
+    zh, en = ("顺", "clockwise") if turn < 0 else ("逆", "counter-clockwise")
+    return Words(f"（自{other.zh}{zh}时针量）", f", {en} from the latter")
 
 
 def at_angle(text: str, turn: float, other: Words) -> Words:
-    """An angle as it is written, of this size (rad), to another line: 与 x 轴成 40°（由后者顺时针量）."""
-    shown, way = text.strip().lstrip("-−"), side_of(degrees(turn), 180.0)
+    """An angle as it is written, of this size (rad), to another line: 与 x 轴成 40°（自 x 轴顺时针量）."""
+    shown, way = text.strip().lstrip("-−"), side_of(degrees(turn), other, 180.0)
     if way is NO_SIDE:
         return _along(other, opposite=abs(turn) > 1.0)
     return Words(f"与{other.zh}成 {shown}{way.zh}", f"at {shown} to {other.en}{way.en}")

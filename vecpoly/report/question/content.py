@@ -75,6 +75,7 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
         "circle": [objects.add("pic", one) for one in _circles(solution, blank, lang)],
         "working": [objects.add("work", one) for one in _working(solution, foot, lang)],
         "poles": any(map(_has_pole, blank)),
+        "alone": len(blank) == 1,
         "axes": any(figure.view.across is not None for figure in figures),
         "starts": any(map(_starts, blank)),
         "placed": any(mark.key not in FIELDS for figure in blank for mark in figure.marks[BORDER:]),

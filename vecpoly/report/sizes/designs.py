@@ -16,6 +16,7 @@ from .lines import AXIS, angle, letter, ray, span
 
 _BAR = re.compile(r"l_\{?([A-Z])([A-Z])\}?")  # as data name it, and as statements do
 _ANGLE = re.compile(r"(-?[\d.]+) deg")
+_RANGE = " … "  # between the ends of the range through which a link is turned
 _ENDS = (("E_1", "E_2"), ("F_1", "F_2"), ("C_1", "C_2"))  # of a stroke
 _LIKE = 2e-3  # part of a length by which it may be drawn differently
 _UNDER, _OVER = 11.0, 7.0  # mm: a dimension under two pivots, over two places
@@ -93,9 +94,11 @@ def _same(line: Segment, a: complex, b: complex) -> bool:
 
 
 def _turned(data: Mapping[str, str], figure: Figure, spots: dict[str, complex]) -> Iterator[Mark]:
-    """Each single angle of a link on the frame, from the horizontal through its pivot: to its pin where that stands so,
-    else to a thin line of that direction."""
+    """Each angle of a link on the frame, from the horizontal through its pivot: of a range to its pin wherever that
+    stands, a single one to its pin where that stands so, else to a thin line of that direction."""
     for symbol, pivot, pin in _TURNED:
+        if _RANGE in data.get(symbol, "") and {pivot, pin} <= spots.keys() and not _marked(figure.marks, symbol):
+            yield from angle(spots[pivot], cmath.phase(spots[pin] - spots[pivot]) % (2 * pi), symbol, AXIS)
         found = _ANGLE.fullmatch(data.get(symbol, ""))
         if found is None or pivot not in spots or _marked(figure.marks, symbol):
             continue

@@ -24,7 +24,7 @@ MEANT = {  # heads that do not say all
     ),
     MARGIN: Words(
         "“杆长余量”为其余两杆之和减去最短杆与最长杆之和",
-        "“Margin” is the sum of the two other links less that of the shortest and the longest",
+        "“Margin” is the sum of the other two lengths minus the sum of the shortest and the longest",
     ),
     ALL_TURNS: Words(
         "“加装杆组后整周转动”：四杆机构 $ABCD$ 的曲柄即使能转整周，加装的杆组也未必能随之转满一周",
@@ -44,7 +44,7 @@ SAID = {  # the same of a single solution, in a sentence
     TYPE_OF: Words("$ABCD$ 为{}", "type of $ABCD$: {}"),
     MARGIN: Words(
         "其余两杆之和减去最短杆与最长杆之和为 {}",
-        "the sum of the other two links less that of the shortest and the longest is {}",
+        "the sum of the other two lengths minus the sum of the shortest and the longest is {}",
     ),
     SWING: Words("摆角为 {}", "the swing is {}"),
     STROKE: Words("行程为 {}", "the stroke is {}"),

@@ -72,8 +72,10 @@ def _told(plan: Plan) -> Words:
     for body in plan.bodies:
         marks = _lines(plan, body)
         said = _LINE if _free(body) else Words("", "")
-        zh.append(f"{_body_zh(plan, body)}{'（' + '、'.join(marks) + said.zh + '）' if marks else ''}、")
-        en.append(f"{_body_en(plan, body)}{' (' + ', '.join(marks) + said.en + ')' if marks else ''}, ")
+        held = Words(f"（{'、'.join(marks)}{said.zh}）", f" ({', '.join(marks)}{said.en})") if marks else Words("", "")
+        told = _axes_told(plan, body) if _has_axes(plan, body) else held
+        zh.append(f"{_body_zh(plan, body)}{told.zh}、")
+        en.append(f"{_body_en(plan, body)}{told.en}, ")
     return Words("".join(zh).rstrip("、") + "。", "".join(en).rstrip(", ") + ".")
 
 
@@ -144,6 +146,8 @@ def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
         role = Role.HIDDEN if n else Role.GIVEN  # dashed as its links are in the others, which lie over these
         if _free(body) and len(ends) == 2:
             draft.board.join(SHEET, ends[0][n], ends[1][n], role)
+            if _has_axes(sheet.plan, body):
+                _axes_drawn(sheet, body, n)
             continue
         draft.board.join(SHEET, stands.start, stands.end if _free(body) or not own else ends[0][n], role)
         if _free(body):
@@ -156,6 +160,34 @@ def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
     if body.pivot and not _in_line(sheet.plan, body):
         _directions_marked(sheet, body)
     return sheet
+
+
+def _has_axes(plan: Plan, body: Body) -> bool:
+    """Whether two pins of a plane are given in its own coordinates, and are not its origin and a point of its x axis
+    themselves."""
+    places = [one.at for one in plan.pins if one.on == body.name]
+    return _free(body) and len(places) == 2 and not (0 in places and not any(at.imag for at in places))
+
+
+def _axes_told(plan: Plan, body: Body) -> Words:
+    """From where its pins are set out."""
+    pins = [f"${one.letter}_i$" for one in plan.pins if one.on == body.name]
+    numbers = ", ".join(f"{n}" for n in range(1, plan.count + 1))
+    origin = f"${body.name}_i$"
+    return Words(
+        f"（原点 {origin}、$x′_i$ 轴，$i$ = {numbers}），由各自的坐标定出 {'、'.join(pins)}",
+        f" (origins {origin}, axes $x′_i$, $i$ = {numbers}) with {' and '.join(pins)} by their coordinates there",
+    )
+
+
+def _axes_drawn(sheet: Sheet, body: Body, n: int) -> None:
+    """Its origin and x axis in one position."""
+    board, stands = sheet.draft.board, sheet.bodies[body.name][n]
+    end = stands.start + stands.along * sheet.draft.mm(AXIS * REACH * sheet.plan.extent)
+    board.arrow(SHEET, stands.start, end, Role.DIRECTION)
+    board.plot(SHEET, end, f"x′_{n + 1}", Dot.NONE)
+    if all(one.at for one in sheet.plan.pins if one.on == body.name):
+        board.plot(SHEET, stands.start, f"{body.name}_{n + 1}", Dot.POINT)
 
 
 def _in_line(plan: Plan, body: Body) -> bool:

@@ -7,7 +7,7 @@ from math import pi
 from ....designs.limit_lines import LimitLines
 from ....designs.quantities import THETA
 from ....designs.quantities import K as ADVANCE
-from ....plane import Line, Points, cross, nominal, unit
+from ....plane import Line, Points, ahead, cross, dot, nominal, unit
 from ....words import Words
 from ..angles import marked
 from ..draft import HALF_TURN, SHEET, Draft
@@ -15,6 +15,10 @@ from ..linkage import pin, pivot
 from ..registry import design_method
 from .judged import judged, limits_of, settled
 
+PAST = 15.0  # mm: so far a line that is produced backwards is drawn the other way too
+BACKWARDS = Words(
+    "交点在此线过 $C_1$ 的反向延长线上。", " The intersection lies on that line produced backwards through $C_1$."
+)
 SIDES = (("一侧", "on one side"), ("另一侧", "on the other side"))
 
 
@@ -76,7 +80,11 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
             )
             continue
         d = pivot(draft, pin_d, board.meet(ray, bisector, Words(f"求 ${pin_d}$", f"finding ${pin_d}$")))
+        onward = ahead(c1, ray.along, PAST)
+        if float(nominal(dot(ray.along, d - c1))) < 0:
+            board.remark(BACKWARDS)
+            board.rule(SHEET, ray, onward)
         board.rule(SHEET, ray, d)
-        marked(draft, c1, (a, d), "90° − α_1", nth=draft.number - 1)
+        marked(draft, c1, (a, onward), "90° − α_1", nth=draft.number - 1)
         board.rule(SHEET, bisector, d)
         settled(draft, limits_of(a, d, c1, c2, ("A", "C_1", "C_2")), judged(a, d, c1, c2))

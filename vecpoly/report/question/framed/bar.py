@@ -35,7 +35,8 @@ class Bar(NamedTuple):
 
 def bar_of(figure: Figure, room: float = inf) -> Bar | None:
     """The bar of a figure that is drawn to one scale, with its value no wider than this; one with axes has its numbers
-    there. A length is said to be that of the mechanism: on the paper there is another bar, of the print."""
+    there. A length is said to be that of the mechanism: on the paper there is another bar, of the print; one that holds
+    along one axis only, as the bar lies, to be along it."""
     if not to_scale(figure) or figure.view.across is not None or figure.view is INDICATOR:
         return None
     bar = _bar(figure, _LONGEST)
@@ -44,11 +45,15 @@ def bar_of(figure: Figure, room: float = inf) -> Bar | None:
 
 def _bar(figure: Figure, longest: float) -> Bar:
     """The longest of a round value."""
-    scale = figure.scale.told
+    scale = figure.scale.right.told
     per_mm, unit = (scale.value * _MILLI, _MILLIMETRE) if scale.unit == _METRE else (scale.value, scale.unit)
     value = _round_down(longest * per_mm)
     text = f"{number(value, 3)} {unit}"
-    return Bar(value / per_mm, Words(f"实际 {text}", f"{text} (real)") if unit == _MILLIMETRE else Words.same(text))
+    told = Words(f"实际 {text}", f"{text} (real)") if unit == _MILLIMETRE else Words.same(text)
+    if figure.scale.across is not None:
+        axis = scale.symbol.partition("_")[2]
+        told = Words(f"沿 ${axis}$ 轴{told.zh}", f"along ${axis}$: {told.en}")
+    return Bar(value / per_mm, told)
 
 
 def _round_down(most: float) -> float:

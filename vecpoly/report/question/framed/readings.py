@@ -141,11 +141,16 @@ def _asked(construction: Construction, figure: Figure) -> Iterator[Blank]:
         if _is_place(one):
             if place in {_read_on(written.get(key), construction.acts, sort) for sort in (Measure, Gauge)}:
                 yield Blank(one.symbol.removesuffix(AWAY), "mm", placed=True)
-        elif one.mm is not None and one.scale == figure.scale.symbol and (here or len(like) == 1):
+        elif one.mm is not None and _is_told(one, figure, here or len(like) == 1, here):
             if not one.factor or one.line not in plainly:
                 yield _length(one, laid=key in laid)
         elif one.mm is None and one.unit == "deg" and here:
             yield Blank(one.symbol, _DEGREE)
+
+
+def _is_told(one: Reading, figure: Figure, likely: bool, here: bool) -> bool:
+    """Whether a length has a scale of this figure: that upwards, of one that is likely read here; that to the right."""
+    return (likely and one.scale == figure.scale.symbol) or (here and one.scale == figure.scale.right.symbol)
 
 
 def _is_place(one: Reading) -> bool:
