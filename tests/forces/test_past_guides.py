@@ -24,7 +24,7 @@ RUBBED = ("4-3a", "4-3b", "4-3c", "4-3d", "cam-face-load", "cam-knife-load", "ca
 @each(RUBBED)
 def test_where_a_resultant_leaves_the_guide_as_drawn_that_is_said(name: str) -> None:
     here = drawn(name)
-    said = " ".join(re.findall(r"The lines? of [^.]* cross(?:es)? the guide outside of", _words(here)))
+    said = " ".join(re.findall(r"The lines? of [^.]* cross(?:es)? the guide's line outside of", _words(here)))
     for symbol, past in _crossings(here):
         if abs(past) < END:
             continue
