@@ -57,8 +57,8 @@ def _said(symbols: list[Words], what: Words, *, longer: bool) -> Words:
     return Words(
         f"{names.zh} 的作用线与导路的交点在图示{what.zh}之外：这里设{what.zh}足够长{drawn.zh}；"
         f"否则{what.zh}两端各受一反力，摩擦力更大。",
-        f" The {lines} of {names.en} {cross} the guide's line outside of the {what.en} as drawn: the {what.en} is thought "
-        f"long enough{drawn.en}; else both its ends would press, with more friction.",
+        f" The {lines} of {names.en} {cross} the guide's line outside of the {what.en} as drawn: the {what.en} is "
+        f"thought long enough{drawn.en}; else both its ends would press, with more friction.",
     )
 
 
