@@ -20,8 +20,18 @@ def noted(name: str) -> list[str]:
 
 @each(CAMS)
 def test_the_first_number_of_an_empty_axis_is_one_two_four_or_five_of_a_power_of_ten(name: str) -> None:
-    sizes = [float(text.strip("−")) for text in noted(name) if re.fullmatch(r"−?[\d.]+", text)]
+    sizes = [float(text.strip("−")) for text in noted(name) if re.fullmatch(r"−?[\d.]+", text) and text != "0"]
     assert float(f"{min(sizes):e}".partition("e")[0]) in (1.0, 2.0, 4.0, 5.0)
+
+
+@each(("7-5", "press-flywheel", "two-stroke-flywheel"))
+def test_zero_stands_at_an_axis_of_energies_that_goes_on_below_it(name: str) -> None:
+    figures = frames(drawn(name).construction, drawn(name).problem)[0].figures
+    energies = [figure for figure in figures if figure.scale is not None and figure.scale.symbol == "μ_E"]
+    assert energies
+    for figure in energies:
+        written = {mark.words.en: mark.at for mark in figure.marks if isinstance(mark, Note)}
+        assert written["0"].imag == 0.0 and any(text[:1] == "−" and text[1:2].isdigit() for text in written)
 
 
 def test_the_loop_of_a_cam_has_an_axis_on_both_sides_for_rise_and_return() -> None:

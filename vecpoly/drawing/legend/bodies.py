@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import tau
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Lump, Mark, Plate, Role, Segment, Vector
+from ...board.paper.marks import Arc, Curve, Disc, Dot, Hatched, Lump, Mark, Plate, Point, Role, Segment, Vector
 from ...words import Words
 from .entry import HALF, MIDDLE, WIDE
 from .kind import Kind
@@ -35,6 +35,7 @@ from .met import (
 from .samples import Marks, arrow, line, pinned
 
 BODY = (-1j * HALF, WIDE - 1j * HALF, WIDE + 1j * HALF, 1j * HALF)  # corners of a sample
+AT, AWAY = 0.1, 6.0  # mm: an arrow starts at its point; no farther beside it
 SMALL = HALF + 0.2  # mm: radius of a round sample
 
 
@@ -56,6 +57,15 @@ def _is_product(figure: Figure, mark: Mark) -> bool:
 def _mass(mark: Mark) -> Marks:
     """A mass, tinted where it is."""
     return (Disc(centre=MIDDLE, radius=SMALL, owner="mass"),) if isinstance(mark, Disc) else _ring(mark)
+
+
+def _starts_beside(figure: Figure, mark: Mark) -> bool:
+    """Whether it is a velocity that starts square beside a lettered point, and at none."""
+    if not isinstance(mark, Vector) or not is_speed(figure, mark) or abs(mark.b - mark.a) < AT:
+        return False
+    back = ((mark.b - mark.a) / abs(mark.b - mark.a)).conjugate()
+    offs = [back * (one.at - mark.a) for one in figure.marks if isinstance(one, Point) and one.label]
+    return not any(abs(off) < AT for off in offs) and any(abs(off.real) < AT and abs(off.imag) < AWAY for off in offs)
 
 
 def _beside_target(role: Role, *types: type[Mark]) -> Met:
@@ -133,7 +143,17 @@ BODIES: tuple[Kind, ...] = (
     Kind(words=Words("功率流向", "flow of power"), met=is_flow, sample=lambda _: arrow(Role.GIVEN), plain=True),
     Kind(words=Words("许用不平衡量", "allowed unbalance"), met=allowed, sample=line),
     Kind(
-        words=Words("点的速度", "velocity of a point"), met=is_speed, sample=lambda one: arrow(_role(one)), plain=True
+        words=Words("点的速度", "velocity of a point"),
+        met=lambda figure, mark: is_speed(figure, mark) and not _starts_beside(figure, mark),
+        sample=lambda one: arrow(_role(one)),
+        plain=True,
+    ),
+    Kind(
+        words=Words("点的速度，画在点旁（以免与构件重合）", "velocity, drawn beside its point, off the link"),
+        met=_starts_beside,
+        sample=lambda one: arrow(_role(one)),
+        plain=True,
+        brief=Words("有的画在点旁（以免与构件重合）", "some beside their points, off the link"),
     ),
     Kind(
         words=Words("构件实体", "body of a link"),

@@ -31,6 +31,7 @@ from .balance.moving import moving
 from .balance.power_alone import is_alone, is_drawn, power_first, refuse_undrawn
 from .bodies.free_body import draw_free_bodies
 from .bodies.given_loads import draw_given_loads
+from .bodies.past_guides import say_past_guides
 from .closing.thrust import (
     as_moved,
     as_outer_forces,
@@ -97,6 +98,7 @@ def _of_position(desk: Desk, problem: Problem, pulls: Pulls) -> Statics:
         st = _with_friction(ideal, groups, held, desk)
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem, (*(link for group in groups for link in group.links), held.link))
+    say_past_guides(st)
     read_efficiency(_with_thrust(st, problem.loads))
     if not st.loads.friction:
         _as_they_are(st, problem)

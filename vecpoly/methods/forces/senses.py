@@ -161,7 +161,11 @@ def at_normal(st: Statics, joint: Prismatic) -> Words:
 def sliding_way(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
     """向左, to the left: the way in which `on` slides past `by`, as the velocity polygon shows."""
     at = st.desk.at[joint.pin]
-    slip = complex(nominal(velocity_of(st, on, at) - velocity_of(st, by, at)))
+    return way_of(complex(nominal(velocity_of(st, on, at) - velocity_of(st, by, at))))
+
+
+def way_of(slip: complex) -> Words:
+    """向左, to the left: the way in which a velocity points."""
     if abs(slip.real) >= abs(slip.imag):
         return Words("向右", "to the right") if slip.real > 0 else Words("向左", "to the left")
     return Words("向上", "upwards") if slip.imag > 0 else Words("向下", "downwards")

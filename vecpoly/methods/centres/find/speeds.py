@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from ....mechanism.model import FRAME
 from ....names import At, Rel, ascii_key
 from ....plane import Points, nominal, unit
 from ....plane.traced import bare
-from ....words import Words
+from ....words import Words, joined
 from ...registry import Stage, method
 from ..state import CentreFigure
 from .motions import CLOSE, Motions
@@ -174,12 +174,26 @@ def draw_speeds(fig: CentreFigure, found: Iterable[Drawn]) -> None:
         ),
         fig.pane,
     )
+    moved = []
     for symbol, at, v in drawn:
         if abs(v) > 0.02 * largest and fig.paper.holds(at):
-            start = at + _aside(fig, at, v / abs(v))
+            start = at + (aside := _aside(fig, at, v / abs(v)))
+            moved += [Words.same(f"${symbol}$")] if aside else []
             fig.board.arrow(
                 fig.pane, start, start + v / largest * LONGEST, Role.RESULT, key=ascii_key(symbol), label=symbol
             )
+    if moved:
+        fig.board.remark(_said_aside(moved))
+
+
+def _said_aside(symbols: Sequence[Words]) -> Words:
+    """That arrows do not start at their points."""
+    names = joined(symbols)
+    lies, starts = ("lies", "starts beside its point") if len(symbols) == 1 else ("lie", "start beside their points")
+    return Words(
+        f"{names.zh} 几乎沿构件方向，为免重合，箭头自该点旁画起。",
+        f" So as to be seen, {names.en}, which {lies} nearly along a link, {starts}.",
+    )
 
 
 def _aside(fig: CentreFigure, at: complex, way: complex) -> complex:

@@ -12,6 +12,7 @@ from ...registry import Stage, method
 from ..senses import leaning, velocity_of
 from ..state import Statics
 from .links_of_group import TwoForce
+from .slip_at_contact import slip_words
 
 _SOURCE = "机械原理, friction in higher pairs"
 
@@ -62,31 +63,15 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
 def _say(st: Statics, two: TwoForce, slip: Points, normal: Points) -> None:
     assert two.contact is not None
     i, j, point, phi = st.mech.number(two.by), st.mech.number(two.on), two.contact.point, st.phi_symbol(two.contact)
-    known = _known_rates(st, two.by, two.on)
     right = float(nominal((np.conj(1j * normal) * slip).real)) < 0
     side, side_en = ("右", "right") if right else ("左", "left")
     there = f"v_{{{point}{j}{point}{i}}}"
-    st.board.step(
+    st.board.step(slip_words(st, point, (two.by, two.on), slip, normal), View.MECHANISM)
+    st.board.remark(
         Words(
-            f"由{known.zh}知两构件在接触点 ${point}$ 的速度之差 ${there}$ 沿公切线；面向 $R_{{{i}{j}}}$ "
-            f"的指向看，构件 {j} 相对构件 {i} 向{side}滑动。摩擦力与之反向，故 $R_{{{i}{j}}}$ 自公法线偏转 ${phi}$ 角，"
-            f"与 ${there}$ 成 90° + ${phi}$。",
-            f"By {known.en} the velocities of the two links at the contact ${point}$ "
-            f"differ by ${there}$ along the common tangent: looking along $R_{{{i}{j}}}$, link "
-            f"{j} slides to the {side_en} past link {i}. Friction opposes it, so $R_{{{i}{j}}}$ "
-            f"is inclined at ${phi}$ to the common normal and makes 90° + ${phi}$ with ${there}$.",
-        ),
-        View.MECHANISM,
+            f"面向 $R_{{{i}{j}}}$ 的指向看，构件 {j} 相对构件 {i} 向{side}滑动。摩擦力与之反向，"
+            f"故 $R_{{{i}{j}}}$ 自公法线偏转 ${phi}$ 角，与 ${there}$ 成 90° + ${phi}$。",
+            f" Looking along $R_{{{i}{j}}}$, link {j} slides to the {side_en} past link {i}. Friction opposes it, so "
+            f"$R_{{{i}{j}}}$ is inclined at ${phi}$ to the common normal and makes 90° + ${phi}$ with ${there}$.",
+        )
     )
-
-
-def _known_rates(st: Statics, *links: str) -> Words:
-    """What tells how both links move: their angular velocities; of one that only translates the velocity polygon."""
-    turning = [f"$ω_{st.mech.number(link)}$" for link in links if _turns(st, link)]
-    if len(turning) == len(links):
-        return Words(" " + "、".join(turning) + " ", " and ".join(turning))
-    return Words("速度多边形", "the velocity polygon")
-
-
-def _turns(st: Statics, link: str) -> bool:
-    return not np.array_equal(velocity_of(st, link, 1.0 + 0j), velocity_of(st, link, 0j))

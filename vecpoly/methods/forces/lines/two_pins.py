@@ -122,7 +122,7 @@ def _pressed(st: Statics, two: TwoForce, compressed: bool, pins: tuple[str, str]
         and (float(nominal(dot(before, st.desk.at[p] - st.desk.at[q]))) > 0) == compressed
     ):
         return Words(
-            f"构件 {number} 不受外力，为二力杆；由不计摩擦的力多边形，${symbol}$ 由 ${start}$ 指向 ${end}$，"
+            f"构件 {number} 不受外力，为二力杆；由不计摩擦时的分析，${symbol}$ 由 ${start}$ 指向 ${end}$，"
             f"知杆 ${bar}$ 受{state}。",
             f"No load acts on link {number}: it is a two-force link. Without friction ${symbol}$ "
             f"points from ${start}$ to ${end}$, so ${bar}$ is in {state_en}.",

@@ -17,6 +17,7 @@ _TICK, _APART = 1.5, 10.0  # mm: half a tick, from tick to tick at least
 _WIDE = 15.0  # mm: from tick to tick, where each has its number
 _METRE, _MILLIMETRE, MILLI = "m", "mm", 1e3
 _ROUND = (1.0, 2.0, 5.0, 10.0)
+_ROOM = 3.0  # mm: left of the axis upwards the other one begins no farther off beside a number
 _BELOW = -10.0  # mm: no lower stand the numbers of an axis
 
 
@@ -80,6 +81,9 @@ def scaled(figure: Figure, name: str, foot: complex, end: complex) -> Iterator[M
     yield from _numbered(figure.scale, zero, end - 4.0j)
     if foot.imag < -NEAR:
         yield from _numbered(figure.scale, zero, foot)
+        found = axes(figure)
+        if found is None or found[0].a.real > foot.real - _ROOM:  # else the axis to the right begins under it
+            yield from _tick(zero, -1 + 0j, "0")
 
 
 def _numbered(scale: Scale, zero: complex, end: complex) -> Iterator[Mark]:
