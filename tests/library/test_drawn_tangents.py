@@ -63,7 +63,7 @@ def test_the_line_of_action_at_a_contact_is_ruled_to_both_sides_and_lettered_at_
     steps = [step for step in drawn(name).construction.steps if "to the common normal" in step.words.en]
     assert steps
     for step in steps:
-        letter = re.search(r"at the contact \$(\w)\$ differ", step.words.en)
+        letter = re.search(r"At the contact \$(\w)\$: ", step.words.en)
         assert letter is not None
         (at,) = {mark.at for mark in points if mark.label == letter[1]}
         lines = [
