@@ -56,6 +56,13 @@ def test_full_width_digits_are_digits(tmp_path: Path) -> None:
     assert read_roster(roster(tmp_path, ROWS.replace("20230002", "２０２３０００２").encode())).students == TWO
 
 
+def test_numbers_that_were_written_out_as_decimals_are_those_of_the_students(tmp_path: Path) -> None:
+    """20230001.0, as a table of numbers is written by some programs: nobody on the roster had returned anything."""
+    assert read_roster(roster(tmp_path, ROWS.replace("20230001", "20230001.0").encode())).students == TWO
+    short = read_roster(roster(tmp_path, ROWS.replace("20230001", "7.0").encode())).students
+    assert [one.number for one in short] == ["7.0", "20230002"]
+
+
 @given(st.integers(0, 10**10))
 def test_a_number_is_the_same_text_however_it_was_kept(number: int) -> None:
     wide = "".join(chr(ord(digit) + 0xFEE0) for digit in str(number))

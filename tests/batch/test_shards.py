@@ -115,6 +115,13 @@ def test_a_shard_that_was_made_twice_must_have_been_made_alike(copies: tuple[Pat
         gathered((*copies, again), tmp_path / "two")
 
 
+def test_a_class_that_is_not_that_of_its_shards_leaves_no_register(copies: tuple[Path, ...], tmp_path: Path) -> None:
+    rewritten(copies[1], lambda rows: rows[1].update(values="other"))
+    with pytest.raises(VecpolyError, match=r"student \d+ has other values than in the shard"):
+        gathered(copies, tmp_path / "hw")
+    assert not (tmp_path / "hw" / "register.json").exists()
+
+
 @pytest.mark.parametrize(
     ("name", "said"), [("version", f"vecpoly '{vecpoly.__version__}', not 'next'"), ("students", "has roster")]
 )

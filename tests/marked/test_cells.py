@@ -29,6 +29,24 @@ def test_a_scale_that_cannot_be_read_is_told_with_its_name_and_its_problem(tmp_p
     graded(tmp_path / "out", file)
     queue = list(csv.DictReader((tmp_path / "out" / "queue.csv").read_text("utf-8-sig").splitlines()))
     assert len(queue) == 3 and all("题 3-9：μ_v = 6,000" in row["原因"] for row in queue)
+    grades = list(csv.DictReader((tmp_path / "out" / "grades.csv").read_text("utf-8-sig").splitlines()))
+    assert [float(row["待人工"]) for row in grades] == [1, 1, 1]
+
+
+@pytest.mark.parametrize("text", ["0", "-0.006", "0 m/s/mm"])
+def test_a_scale_that_is_not_above_zero_is_told(text: str) -> None:
+    """It was left out without a word."""
+    sheet = sheet_of(key_of("3-9"), {"mu_v": text})
+    assert not sheet.scales and [str(one.en) for one in sheet.faults] == [
+        f"μ_v = {text}: a scale must be above zero; correct it"
+    ]
+
+
+@pytest.mark.parametrize("mark", [",", ";"])
+def test_answers_of_a_number_that_was_written_out_as_a_decimal_are_its_students(tmp_path: Path, mark: str) -> None:
+    file = wide(tmp_path / "a.csv", {f"{number}.0": cells for number, cells in everybody().items()}, mark=mark)
+    done = graded(tmp_path / "out", file)
+    assert not done.faults and all(one.returned for one in done.results)
 
 
 def test_a_cell_merged_over_several_students_is_told_of_those_who_have_none(tmp_path: Path) -> None:

@@ -30,6 +30,7 @@ from .unvaried import same_for_all
 
 _LEFT_OUT = ("printed", "errata", "tables", "extends")
 Told = Callable[[Words, int, int], None]
+Held = Callable[[Register], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,9 +57,18 @@ class Order:
         return Seed(assignment=self.assignment.id, problem=problem, student=student, salt=self.assignment.salt)
 
 
-def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | None = None, *, pieces: int = 1) -> Made:
+def make_class(
+    order: Order,
+    run: Runner,
+    told: Told,
+    shard: tuple[int, int] | None = None,
+    *,
+    pieces: int = 1,
+    held: Held | None = None,
+) -> Made:
     """Draw the values of all, write the sheets of all, and keep the register; or write one of so many shards, and keep
-    what it made in a manifest. pieces: the shards whose sheets are there already.
+    what it made in a manifest. pieces: the shards whose sheets are there already. held: raises VecpolyError where the
+    register is not what it must be, before it is kept.
 
     Raises VecpolyError where a problem gives too few variants; a student who cannot be served does not stop the others.
     """
@@ -91,6 +101,8 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
     sheets_of = [register.sheets[n::of] for n, of in shares]
     layouts, failed = printed(register, order.out, run, told, sheets_of)
     done = replace(register, sheets=laid_out(register.sheets, layouts)).marked_by(scheme)
+    if held is not None:
+        held(done)
     if shard is None:
         write_whole(order.out / NAME, done.as_bytes())
     else:

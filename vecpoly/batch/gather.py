@@ -9,6 +9,7 @@ from pathlib import Path
 from ..errors import VecpolyError
 from ..words import Words
 from .classwork import Made, Order, Told, make_class
+from .register import Register
 from .run.manifest import Line, Manifest, manifests, roster_digest, values_digest
 from .run.runners import Runner
 from .run.store import FOLDER, file_digest
@@ -27,9 +28,7 @@ def gather(order: Order, folders: Sequence[Path], run: Runner, told: Told) -> Ma
     _whole(shards, order)
     for shard in shards:
         _bring(shard, order.out)
-    made = make_class(order, run, told, pieces=shards[0].head.of)
-    _agree(made, shards)
-    return made
+    return make_class(order, run, told, pieces=shards[0].head.of, held=lambda made: _agree(made, shards))
 
 
 def _each_once(found: Sequence[Manifest], folders: Sequence[Path]) -> list[Manifest]:
@@ -133,10 +132,10 @@ def _bring(shard: Manifest, out: Path) -> None:
         shutil.copyfile(shard.folder / name, out / name)
 
 
-def _agree(made: Made, shards: Sequence[Manifest]) -> None:
+def _agree(made: Register, shards: Sequence[Manifest]) -> None:
     """Raise where the register has other values or pages than the shards."""
     lines = {line.number: line for shard in shards for line in shard.lines}
-    for sheet in made.register.sheets:
+    for sheet in made.sheets:
         line = lines[sheet.student.number]
         if (line.values, line.layout) != (values_digest(sheet), sheet.layout_hash):
             raise _refused(

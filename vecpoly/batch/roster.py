@@ -22,6 +22,7 @@ from .student import Student
 Row = tuple[int, tuple[str, ...]]  # its number in the file, from 1, and its cells
 _HEADS = {"number": NUMBER, "name": (*NAME, "student"), "team": TEAM}
 _NUMBER = re.compile(r"[A-Za-z0-9][A-Za-z0-9._\-]*")
+_AS_FLOAT = re.compile(r"(\d{5,})\.0")
 
 
 class RosterError(VecpolyError, ValueError):
@@ -88,6 +89,13 @@ def plain(text: object) -> str:
     return " ".join(unicodedata.normalize("NFKC", str(text)).replace("\ufeff", "").split())
 
 
+def numbered(text: object) -> str:
+    """A student's number: as it stands, but 20231234.0, as tables of numbers are written out by some programs, without
+    its end."""
+    found = _AS_FLOAT.fullmatch(whole := plain(text))
+    return whole if found is None else found[1]
+
+
 def _columns(cells: Sequence[str]) -> dict[str, int]:
     """Which column holds what."""
     found: dict[str, int] = {}
@@ -101,6 +109,7 @@ def _columns(cells: Sequence[str]) -> dict[str, int]:
 def _student(file: str, line: int, cells: Sequence[str], columns: dict[str, int]) -> Student | Fault:
     """The student of a row, or what is wrong with it."""
     held = {what: cells[i] if i < len(cells) else "" for what, i in columns.items()}
+    held["number"] = numbered(held["number"])
     if (wrong := _wrong(held)) is not None:
         column, code, said = wrong
         numbers = {"number": held["number"]} if held["number"] else {}

@@ -89,7 +89,11 @@ def _scale(mu: str, cell: str | float | None, faults: list[Words]) -> float | No
     except FaultError as fault:
         faults.append(Words.same(f"{mu.replace('mu', 'μ')} = {text}: ") + fault.words)
         return None
-    return value if value > 0 else None
+    if value <= 0:
+        said = Words("比例尺应大于零；请改正", "a scale must be above zero; correct it")
+        faults.append(Words.same(f"{mu.replace('mu', 'μ')} = {text}: ") + said)
+        return None
+    return value
 
 
 def scale_read(mu: str, text: str) -> float:

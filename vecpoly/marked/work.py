@@ -51,6 +51,11 @@ class Result:
         """All points that could be had."""
         return sum(one.worth for one in self.marks.values())
 
+    @property
+    def waiting(self) -> int:
+        """Answers, rows and scales that a person must look at."""
+        return sum(one.waiting for one in self.marks.values()) + self.aside + len(self.faults)
+
 
 def mark_class(
     register: Register, returned: Returned, scheme: Scheme, jobs: int = 1, drawn: Drawn = NOBODYS

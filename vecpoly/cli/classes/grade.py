@@ -116,8 +116,7 @@ def _report(done: Graded, output: Path) -> None:
             wrote(path)
     count = len(done.results)
     missing = sum(not (one.returned or one.aside) for one in done.results)
-    waiting = sum(marked.waiting for one in done.results for marked in one.marks.values())
-    waiting += sum(one.aside + len(one.faults) for one in done.results)
+    waiting = sum(one.waiting for one in done.results)
     say(
         told_in(
             Words(

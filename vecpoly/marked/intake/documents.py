@@ -8,7 +8,7 @@ from pathlib import Path as FilePath
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from ...batch.roster import plain
+from ...batch.roster import numbered
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
 from ...problem.schema.faults import Path
@@ -61,7 +61,7 @@ def documents(
 ) -> None:
     """Add what a file holds. Raises TableError for what is no such document, with the key that is wrong."""
     for one in _parsed(path):
-        number = plain(one.document.student)
+        number = numbered(one.document.student)
         keys = keys_of(number)
         if keys is None:
             said = Words(f"名册中没有学号 {number}；请核对", f"the register has no student {number}; check the number")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from ...batch.register import Sheet
-from ...batch.roster import plain
+from ...batch.roster import numbered, plain
 from ...words import Words
 from .pages import Page
 from .returned import Returned
@@ -24,7 +24,7 @@ def of_others(page: Page, i: int, columns: Mapping[str, int], sheets: Sheets, re
     found, names = set[int](), {_bare(one.student.name) for one in sheets.values()}
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
         cell = {what: plain(row[at]) if at < len(row) else "" for what, at in columns.items()}
-        own = sheets.get(cell["student"])
+        own = sheets.get(numbered(cell["student"]))
         if own is not None and (told := _anothers(own, cell, names)) is not None:
             column, said = told
             found.add(n)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from ...batch.roster import plain
+from ...batch.roster import numbered
 from ...errors import Place, TableError, UnknownNameError
 from ...grading.key import AnswerKey
 from ...grading.reading.unit import unit
@@ -121,7 +121,7 @@ def _wide_rows(
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
         if n in others:
             continue
-        number = plain(row[student]) if student < len(row) else ""
+        number = numbered(row[student]) if student < len(row) else ""
         if not number:
             if any(cell.strip() for cell in row) and not (n == i + 1 and _is_of_units(row, heads)):
                 returned.fault(
@@ -183,7 +183,7 @@ def _long_rows(
     places: dict[tuple[str, str], dict[str, Place]] = {}
     for n, row in enumerate(page.rows[i + 1 :], i + 1):
         cell = {what: row[j].strip() if j < len(row) else "" for what, j in {**columns, "student": student}.items()}
-        cell["student"] = plain(cell["student"])
+        cell["student"] = numbered(cell["student"])
         keys = keys_of(cell["student"])
         if keys is None:
             if cell["student"]:

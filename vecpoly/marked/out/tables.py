@@ -83,7 +83,6 @@ def _row(
     points = {
         (problem, one.key): one.earned.total for problem, marked in result.marks.items() for one in marked.findings
     }
-    waiting = sum(marked.waiting for marked in result.marks.values())
     slips = [
         f"{problem}:{root} {slip}" for problem, marked in result.marks.items() for root, slip in marked.slips.items()
     ]
@@ -93,7 +92,7 @@ def _row(
     return [
         who.number, who.name, who.team, result.sheet, *(result.marks[problem].total for problem in problems),
         *(round(points.get(column, 0.0), 3) for column in columns), *(round(one, 3) for one in beside),
-        result.total, result.worth, float(waiting), "; ".join(slips), "; ".join(remarks),
+        result.total, result.worth, float(result.waiting), "; ".join(slips), "; ".join(remarks),
     ]  # fmt: skip
 
 

@@ -33,7 +33,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     way, way_en = ("逆时针", "counter-clockwise") if drive.rate > 0 else ("顺时针", "clockwise")
     board.step(
         Words(
-            f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；{_taken(desk, 'p')}"
+            f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；{_taken(desk, View.VELOCITY)}"
             f"作 $p{tip}$ 代表 $v_{{{name}}}$：",
             f"The velocity $v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ "
             f"({way_en}); from the pole $p$ lay off $p{tip}$ for $v_{{{name}}}$:",
@@ -107,23 +107,23 @@ def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
     if drive.accel:
         return Words(
             f"${b}$ 点的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；"
-            f"{_taken(desk, 'p′')}依次作 $p′{n}$、${n}{tip}$：",
+            f"{_taken(desk, View.ACCELERATION)}依次作 $p′{n}$、${n}{tip}$：",
             f"The normal acceleration of ${b}$ points from it to ${pivot}$, and the "
             f"tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the "
             f"pole $p′$ lay off $p′{n}$ and ${n}{tip}$:",
         )
     return Words(
         f"构件 {link} 匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；"
-        f"{_taken(desk, 'p′')}作 $p′{tip}$：",
+        f"{_taken(desk, View.ACCELERATION)}作 $p′{tip}$：",
         f"Link {link} rotates uniformly ($α_{link}$ = 0), so $a_{{{desk.show(At(b))}}}$ is purely normal and points "
         f"from ${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:",
     )
 
 
-def _taken(desk: Desk, pole: str) -> str:
-    """The pole is taken once, for the first of several drives."""
-    taken = len(desk.mech.drives) > 1 and any(f"极点 ${pole}$" in step.words.zh for step in desk.board.steps)
-    return "" if taken else f"取极点 ${pole}$，"
+def _taken(desk: Desk, view: View) -> str:
+    """The pole is taken once, for the first of several drives that lays off a vector."""
+    taken = any(place is view for place, _ in desk.board.ledger.laid)
+    return "" if taken else f"取极点 ${POLE[view]}$，"
 
 
 @method(stage=Stage.VELOCITY, group="slide", title=_TITLE, source=_SOURCE, example="")
@@ -149,7 +149,7 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
     tip = desk.tip_label(view, At(b))
     desk.board.step(
         Words(
-            f"滑块 {drive.link} 沿导路移动；{_taken(desk, pole)}作 ${pole}{tip}$ 代表 ${stem}_{b}$：",
+            f"滑块 {drive.link} 沿导路移动；{_taken(desk, view)}作 ${pole}{tip}$ 代表 ${stem}_{b}$：",
             f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off "
             f"${pole}{tip}$ for ${stem}_{b}$:",
         ),

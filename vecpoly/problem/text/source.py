@@ -105,7 +105,8 @@ def _parsed(text: str, name: str) -> Tree:
         raise refused(
             Place(name, 1),
             Words(
-                "文件是空的；用 vecpoly new 可写出一个样板", "the file is empty; 'vecpoly new' writes one to start from"
+                "文件是空的；题目文件可用 vecpoly new 写出样板",
+                "the file is empty; 'vecpoly new' writes a problem file to start from",
             ),
         )
     if not isinstance(data, dict):

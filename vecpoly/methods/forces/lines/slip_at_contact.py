@@ -27,7 +27,8 @@ def slip_words(st: Statics, point: str, links: tuple[str, str], slip: Points, no
     size = significant(abs(along) * st.board.scales[View.VELOCITY].value, 3)
     way, there = way_of(tangent * float(np.sign(along))), f"v_{{{point}{j}{point}{i}}}"
     both = joined([_velocity_at(st, point, link) for link in links if link != FRAME])
-    gives = f"${there}$ = " + " − ".join(f"$v_{{{point}{st.mech.number(link)}}}$" for link in (on, by) if link != FRAME)
+    terms = " − ".join(f"$v_{{{point}{st.mech.number(link)}}}$" for link in (on, by) if link != FRAME)
+    gives = f"${there}$ = " + "−" * (on == FRAME) + terms
     return Words(
         f"接触点 ${point}$ 处：{both.zh}；{gives} 沿公切线{way.zh}，大小为 {size} m/s。",
         f"At the contact ${point}$: {both.en}; {gives} is {size} m/s along the common tangent, {way.en}.",
