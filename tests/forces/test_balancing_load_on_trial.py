@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 import vecpoly
 from tests.at_once import exactly
+from vecpoly.algebra.formula import plain
 from vecpoly.mechanism.asked.forces import without_friction
 from vecpoly.names import reaction
 from vecpoly.solution import Solution
@@ -44,6 +47,33 @@ def test_the_step_says_that_the_size_is_found_by_trial() -> None:
     steps = solved('X_b: {on: 2, size: "?"}').construction.steps
     told = [step.words for step in steps if "用试算法" in step.words.zh]
     assert len(told) == 1 and "by trial" in told[0].en
+
+
+def test_what_is_found_without_friction_bears_a_0_until_it_is_found_with_friction() -> None:
+    """The moment about a pin had X_b, which was to be found yet."""
+    steps = solved('X_b: {on: 2, size: "?"}').construction.steps
+    (trial,) = [n for n, step in enumerate(steps) if "two trials" in step.words.en]
+    before, after = (
+        [plain(one) for step in part for one in step.formulas if "X_b" in plain(one)]
+        for part in (steps[:trial], steps[trial:])
+    )
+    assert before and after and not any(re.search(r"X_b(?!0)", one) for one in before)
+    assert not any("X_b0" in one for one in after if "η" not in one)
+
+
+@pytest.mark.parametrize("sense", ["20", "-20"])
+@pytest.mark.parametrize("at", ["", ", at: C, direction: 160 deg"], ids=["moment", "force"])
+def test_the_trial_tells_a_size_and_its_way(at: str, sense: str) -> None:
+    """It had a minus, and the lines that go on with it had none."""
+    text = (FOUR_BAR % f'X_b: {{on: 2, size: "?"{at}}}').replace(
+        "M_1: {on: 1, size: 20", f"M_1: {{on: 1, size: {sense}"
+    )
+    (said,) = [
+        step.words.en for step in exactly(vecpoly.loads(text)).construction.steps if "two trials" in step.words.en
+    ]
+    value = exactly(vecpoly.loads(text)).answers["X_b"].exact
+    way = ("against the direction given" in said) if at else ("counter-clockwise" not in said)
+    assert "= −" not in said and way is (value < 0)
 
 
 def test_reactions_of_links_with_two_digits_are_told_apart() -> None:

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...algebra.quantity import Quantity
 from ...board.construction import Place
+from ...foundation.slotted import replace
 from ...names import Named
 from ...plane import Line, Points, Reals, nominal
 from ...vector.equation import KNOWN
@@ -32,17 +34,19 @@ def summed(parts: Iterable[Reals]) -> Reals:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drawn:
-    """Where a force stands on a polygon: figure, start, end, letters."""
+    """Where a force stands on a polygon: figure, start, end, letters; laid: of one that was laid off as it had been
+    computed, and is not read, its size (N)."""
 
     place: Place
     start: Points
     end: Points
     letters: str
+    laid: Quantity | None = None
 
     def reversed(self) -> Drawn:
         """The opposite force."""
         first, last = self.letters.split()
-        return Drawn(place=self.place, start=self.end, end=self.start, letters=f"{last} {first}")
+        return replace(self, start=self.end, end=self.start, letters=f"{last} {first}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

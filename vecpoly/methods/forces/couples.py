@@ -8,7 +8,6 @@ from collections.abc import Collection, Iterator
 import numpy as np
 
 from ...foundation.slotted import replace
-from ...mechanism.asked.forces import load_named
 from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Moment
 from ...mechanism.model import Revolute
@@ -26,7 +25,7 @@ def couples_on(st: Statics, link: str, *, within: Collection[str] = ()) -> Itera
     inner = {st.named(other, link).symbol for other in within if other != link}
     for load in st.sized(link):
         if isinstance(load, Moment):
-            yield load_named(load).symbol, st.size_of(load)
+            yield st.name_of(load).symbol, st.size_of(load)
     if link in st.inertia_couples:
         yield f"M_{{I{link}}}", st.inertia_couples[link]
     for force in st.reactions(link):

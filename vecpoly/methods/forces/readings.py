@@ -56,7 +56,9 @@ def keep_nothing(st: Statics, named: Named, otherwise: Reals = 0.0) -> None:
 
 
 def measured(st: Statics, drawn: Drawn) -> Product:
-    """A force in N as μ_F × its length on the polygon."""
+    """A force in N as μ_F × its length on the polygon; one that was laid off as computed is not read."""
+    if drawn.laid is not None:
+        return Product((drawn.laid,))
     return st.board.mu(drawn.place) * st.board.measure(drawn.start, drawn.end, drawn.letters)
 
 
@@ -85,7 +87,7 @@ def keep_measured(st: Statics, named: Named, drawn: Drawn, sign: int = 1) -> Rea
 def say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
     """Which reactions are measured, and which are zero since the letters of their ends coincide."""
     none = [(name, drawn) for name, drawn in sides if abs(complex(nominal(drawn.end - drawn.start))) < SAME]
-    names = [name for name, drawn in sides if (name, drawn) not in none]
+    names = [name for name, drawn in sides if (name, drawn) not in none and drawn.laid is None]
     if names:
         st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
     if none:
@@ -102,8 +104,9 @@ def say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
 def write_sizes(st: Statics, *forces: Acting) -> None:
     """R = μ_F × length on the polygon, written into the step."""
     for force in forces:
-        if force.drawn is not None and abs(complex(nominal(force.drawn.end - force.drawn.start))) > SAME:
-            st.board.write_worked(sym(force.named.symbol), measured(st, force.drawn), "N")
+        drawn = force.drawn
+        if drawn is not None and drawn.laid is None and abs(complex(nominal(drawn.end - drawn.start))) > SAME:
+            st.board.write_worked(sym(force.named.symbol), measured(st, drawn), "N")
 
 
 def read_reactions(st: Statics, mech: Mechanism) -> None:

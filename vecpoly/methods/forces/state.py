@@ -92,8 +92,12 @@ class Statics(Rubbing):
     @property
     def unknown_named(self) -> Named:
         """The balancing load's name in this pass: M_1, or M_1,0 without friction."""
-        name = load_named(self.unknown)
-        return without_friction(name) if self.preliminary else name
+        return self.name_of(self.unknown)
+
+    def name_of(self, load: Load) -> Named:
+        """A load's name in this pass; only what is found has another one without friction."""
+        name = load_named(load)
+        return without_friction(name) if self.preliminary and load.size is None else name
 
     def polygon(self, name: str, title: Words) -> Pane:
         """The force polygon of this name, begun where it is new; one without friction stands apart."""
@@ -159,6 +163,8 @@ class Statics(Rubbing):
         computed: Reals | None = None,
     ) -> Acting:
         """Keep a reaction as found."""
+        if computed is None and drawn is not None and drawn.laid is not None:
+            computed = drawn.laid.value
         return self.keep_reaction(
             by,
             on,
@@ -219,9 +225,8 @@ class Statics(Rubbing):
 
     def _load(self, load: Force) -> Acting:
         vector = self.mm(self.size_of(load)) * self.along(load)
-        return Acting(
-            named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$"
-        )
+        named = self.name_of(load)
+        return Acting(named=named, vector=vector, at=self.desk.at[load.point], size=f"${named.symbol}$")
 
     def at_joint(self, joint: Joint, line: Line) -> Points:
         """Where a line of action passes a joint:

@@ -10,7 +10,6 @@ import numpy as np
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....diagram.links import link_alone
-from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Moment
 from ....mechanism.model import Contact, Prismatic, Revolute
 from ....names import At
@@ -155,7 +154,7 @@ def _couple(st: Statics, pane: Pane, link: str, brought: Sequence[tuple[str, flo
     pivot = next((p for p in st.mech.link(link).points if p in st.mech.frame), next(iter(st.mech.link(link).points)))
     at, free = complex(nominal(st.desk.at[pivot])), st.unknown
     own = (
-        [(load_symbol(free.name), st.balance)]
+        [(st.unknown_named.symbol, st.balance)]
         if isinstance(free, Moment) and free.link == link and not st.balanced
         else []
     )

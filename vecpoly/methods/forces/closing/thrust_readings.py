@@ -6,7 +6,7 @@ import numpy as np
 
 from ....board.construction import LineOfAction, Reading, View
 from ....diagram.cylinders import pressed
-from ....mechanism.asked.forces import load_named, without_friction
+from ....mechanism.asked.forces import without_friction
 from ....mechanism.loads import Force, Loads
 from ....mechanism.model import Prismatic
 from ....names import Named, reaction
@@ -72,7 +72,7 @@ def in_cylinders(st: Statics, loads: Loads) -> dict[str, list[Acting]]:
         for link, at in zip((joint.guide, joint.block), pressed(posed, joint), strict=True):
             sign, own = (1, outer) if link == force.link else (-1, _opposite(st, outer, link))
             found.setdefault(link, []).append(
-                Acting(named=load_named(own), vector=sign * vector, at=foot(Line(st.desk.at[force.foot], line), at))
+                Acting(named=st.name_of(own), vector=sign * vector, at=foot(Line(st.desk.at[force.foot], line), at))
             )
     return found
 

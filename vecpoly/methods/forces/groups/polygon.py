@@ -135,7 +135,8 @@ def name_side(st: Statics, drawn: Drawn, by: str, on: str) -> None:
         return
     if not st.board.stands(drawn.place, start, end):
         st.board.arrow(drawn.place, drawn.start, drawn.end, Role.RESULT, key=named.key, label=named.symbol)
-    st.board.write_worked(sym(named.symbol), measured(st, drawn), "N")
+    if drawn.laid is None:
+        st.board.write_worked(sym(named.symbol), measured(st, drawn), "N")
 
 
 def _begin(st: Statics, d: Dyad, *alone: str) -> Pane:

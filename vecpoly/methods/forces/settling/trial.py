@@ -13,7 +13,7 @@ from ....algebra.quantity import number
 from ....board.board import NO_LENGTH
 from ....board.construction import Reading, View
 from ....mechanism.groups.assur import Group
-from ....mechanism.loads import Force
+from ....mechanism.loads import Force, Load
 from ....plane import Reals, dot, nominal
 from ....words import Words
 from ..balance.power_terms import idle
@@ -40,19 +40,29 @@ def say_trial(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
     """How the balancing load is found where friction counts; keeps it."""
     named, link = st.unknown_named, st.mech.number(held.link)
     value = float(nominal(st.balance))
+    way = _way(st.unknown, value)
     st.board.step(
         Words(
             f"计入摩擦时不能先由功率求出 ${named.symbol}$，用试算法：假设 ${named.symbol}$ 的大小，逐组求反力，看构件 "
             f"{link} 能否平衡；余下的力（矩）与 ${named.symbol}$ 成线性关系，由两次试算定出使构件 {link} "
-            f"恰好平衡的 ${named.symbol}$ = {number(value)} {named.unit}。以下为最后一次试算。",
+            f"恰好平衡的 ${named.symbol}$ = {number(abs(value))} {named.unit}{way.zh}。以下为最后一次试算。",
             f"With friction ${named.symbol}$ does not follow from the powers, so it is found by trial: with a size "
             f"assumed for it the groups are solved one by one; what is then missing on link {link} changes linearly "
             f"with ${named.symbol}$, and two trials give the size that leaves link {link} in equilibrium: "
-            f"${named.symbol}$ = {number(value)} {named.unit}. The last trial follows.",
+            f"${named.symbol}$ = {number(abs(value))} {named.unit}{way.en}. The last trial follows.",
         ),
         View.MECHANISM,
     )
     st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=value), st.balance)
+
+
+def _way(load: Load, value: float) -> Words:
+    """How a balancing load of this value turns, or that it acts against the direction that is given."""
+    if isinstance(load, Force):
+        against = Words("，与给定方向相反", ", against the direction given")
+        return against if value < 0 else Words("", "")
+    turns = Words("（逆时针）", ", counter-clockwise") if value > 0 else Words("（顺时针）", ", clockwise")
+    return turns if value else Words("", "")
 
 
 def _arm(st: Statics) -> float:

@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ....algebra.quantity import Quantity
 from ....board.construction import Pane
 from ....board.paper.marks import Dot
+from ....foundation.slotted import replace
 from ....plane import Points
 from ....vector.equation import Equation, Term
 from ....words import Words
@@ -35,20 +37,29 @@ class Sides:
 
 
 def draw_chain(
-    st: Statics, links: tuple[str, ...], plate: str, legs: tuple[Pressed, Pressed, Pressed], third: Points
+    st: Statics,
+    links: tuple[str, ...],
+    plate: str,
+    legs: tuple[Pressed, Pressed, Pressed],
+    third: tuple[Points, Quantity | None],
 ) -> tuple[Sides, Sides, Sides]:
-    """ΣF = 0 of the whole group. legs: the two whose parts are sought, and the third, of which that part is known."""
-    one, two, last = legs
+    """ΣF = 0 of the whole group. legs: the two whose parts are sought, and the third, of which that part is known:
+    third, and its size as it was computed."""
+    (one, two, last), (pushes, size) = legs, third
     chain = _Chain(st=st, letters=corner_letters(st), terms=[])
     chain.add_first(one, plate)
     third_in = chain.reached()
     chain.add(forces_in_chain(st, last))
     third_out = chain.reached()
     chain.add_part(last, "t")
-    chain.add_part(last, "n", third)
+    chain.add_part(last, "n", pushes)
     ended = chain.reached()
     first, second, side = chain.closed(links, one, two)
-    return first, second, Sides(outer=side(third_out, ended), inner=side(third_in, ended))
+    outer, inner = side(third_out, ended), side(third_in, ended)
+    if not last.reaction.found(st, ""):  # it has no other part: what was laid off is all of it
+        outer = replace(outer, laid=size)
+        inner = outer if third_in == third_out else inner
+    return first, second, Sides(outer=outer, inner=inner)
 
 
 def draw_chain_of_two(

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ....algebra.quantity import Quantity
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....mechanism.groups.assur import Group, ends
@@ -97,22 +98,22 @@ def _sought(st: Statics, leg: Pressed) -> Named:
 
 def _along_axis(
     st: Statics, leg: Pressed, about: tuple[str, Points], turning: Turning, links: tuple[str, ...]
-) -> Points:
-    """R = Σ M / h along the leg's axis: mm on the polygon."""
+) -> tuple[Points, Quantity | None]:
+    """R = Σ M / h along the leg's axis: mm on the polygon, and its size (N) where it is not zero."""
     letter, place = about
     named = _sought(st, leg)
     if not turning.way:
         known = without_moment(f"${named.symbol}$", turning)
         st.board.remark(Words(known.zh, f" Here{known.en}"))
-        return 0j
+        return 0j, None
     end = foot(leg.line, place)
     symbol = arm_about_point(named.symbol, letter)
     arm = st.board.mu(View.MECHANISM) * st.board.measure(place, end, symbol)
     axis = Line(st.desk.at[leg.inner], leg.line.along)
     draw_arm(st, group_pane(st, *links), place, end, axis, symbol)
-    st.board.compute(named.symbol, turning.size / arm, "N")
-    sense = np.sign(cross(end - place, leg.line.along))
-    return -leg.line.along * sense * st.mm(turning.value / arm.value)
+    size = st.board.compute(named.symbol, turning.size / arm, "N")
+    sense = np.sign(cross(end - place, leg.line.along)) * np.sign(turning.value)
+    return -leg.line.along * sense * st.mm(size.value), size
 
 
 def _unloaded(st: Statics, group: Group) -> None:
