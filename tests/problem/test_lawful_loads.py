@@ -66,7 +66,7 @@ def test_a_sense_of_motion_may_be_written_in_either_language(english: str, chine
         (MOTOR.replace("on: 1", "on: 2"), "acts on the driving link, which must turn; here it is on link 2"),
         (MOTOR.replace("200 N", "-200 N"), "a must be positive, b not negative"),
         (UNKNOWN.replace("M_1", "M_2").replace('"?"', "constant"), "2 loads are unknown .M_1, M_2."),
-        ("M_2: {on: 2, size: constant}", "acts on the driving link, which must turn; here it is on link 2"),
+        ("M_2: {on: 2, size: constant}", "acts on the driving link, which must turn; here it is on link 2.* on: 1"),
         ("M_2: {on: 2, size: 3 N*m, k: 3 N/mm}", "k belong to a spring or a damper"),
     ],
 )

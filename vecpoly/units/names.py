@@ -136,7 +136,8 @@ def _no_great_power(unit: str) -> None:
     for power in re.findall(r"\d+", unit):
         if len(power) > 4 or (int(power) > POWER and "**" in unit):
             raise FaultError(
-                Words(f"单位“{unit}”的幂次过高", f"unit '{unit}' has too great a power"), code="unknown-unit"
+                Words(f"单位“{unit}”的幂次过高；请改正", f"unit '{unit}' has too great a power; correct it"),
+                code="unknown-unit",
             )
 
 

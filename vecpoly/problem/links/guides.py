@@ -11,7 +11,7 @@ from ...errors import FaultError
 from ...foundation.indices import LETTER
 from ...mechanism.model import FRAME
 from ...units.reading import Dim, read
-from ...words import Words
+from ...words import Words, joined
 from ..problem import Shape
 from ..schema.faults import not_on_frame
 from .bodies import Bodies
@@ -33,10 +33,24 @@ def guide_of(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
         return FRAME, _along(bodies.frame, first, second)
     owners = [on] if on else [n for n, d in bodies.drafts.items() if {first, second} <= d.points.keys() and n != block]
     if not owners or not {first, second} <= bodies.draft(owners[0]).points.keys():
+        where = [_carried(letter, bodies) for letter in (first, second)]
         raise FaultError(
-            Words(f"没有同时具有 {first}、{second} 两点的构件", f"no link has both points {first} and {second}")
+            Words(
+                f"没有同时具有 {first}、{second} 两点的构件（{where[0].zh}；{where[1].zh}）；导路须在一个构件上",
+                f"no link has both points {first} and {second} ({where[0].en}; {where[1].en}); a guide is on one link",
+            )
         )
     return owners[0], _along(bodies.drafts[owners[0]].points, first, second)
+
+
+def _carried(letter: str, bodies: Bodies) -> Words:
+    """On which links a letter lies."""
+    links = [name for name, draft in bodies.drafts.items() if letter in draft.points]
+    here = [Words("机架", "the frame")] if letter in bodies.frame else []
+    here += [Words(f"构件 {name}", f"link {name}") for name in links]
+    if not here:
+        return Words(f"{letter} 不在任何构件上", f"{letter} lies on none")
+    return Words(f"{letter} 在{'、'.join(one.zh for one in here)} 上", f"{letter} is on {joined(here).en}")
 
 
 def own_line(draft: Draft) -> Line:

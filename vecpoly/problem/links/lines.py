@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from ...errors import FaultError
 from ...units.reading import Dim, read
 from ...words import Words
-from ..schema.faults import meant
+from ..schema.faults import meant, not_on_link
 from ..text.source import Value
 from .draft import ANGLE_FROM, ONE, Draft, Line, ray
 from .places import aside
@@ -34,12 +34,7 @@ def read_line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
             code="missing",
         )
     if letter not in draft.points:
-        raise FaultError(
-            Words(f"点“{letter}”不在构件 {draft.name} 上", f"point '{letter}' is not on link {draft.name}")
-            + meant(letter, draft.points),
-            "through",
-            code="unknown-name",
-        )
+        raise not_on_link(letter, draft.name, draft.points, "through")
     turn = _turn(draft, str(data["angle"])) if "angle" in data else 0j + 1
     left = aside(data)
     return Line(draft.points[letter] + 1j * left * turn, cmath.phase(turn), letter)

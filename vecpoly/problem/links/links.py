@@ -10,7 +10,7 @@ from ...errors import FaultError
 from ...units.reading import positive
 from ...words import Words
 from ..problem import Shape
-from ..schema.faults import meant
+from ..schema.faults import meant, not_on_link
 from ..text.source import Value
 from .circles import give_circle
 from .draft import ONE, TWO, Draft, Line, letters_of
@@ -182,11 +182,7 @@ def _pinned(draft: Draft, key: str, letter: str, data: Mapping[str, Value]) -> N
     if not draft.points and not (key in _PLACED and letter in data):
         draft.shape, draft.points[letter] = _SINGLE[key], 0j
     elif letter not in draft.points and key not in _PLACED:
-        raise FaultError(
-            Words(f"点“{letter}”不在构件 {draft.name} 上", f"point '{letter}' is not on link {draft.name}"),
-            key,
-            code="unknown-name",
-        )
+        raise not_on_link(letter, draft.name, draft.points, key)
     if key in (*_LINED, "cylinder"):
         draft.line = Line(draft.points[letter], 0.0, letter)
 

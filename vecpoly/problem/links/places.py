@@ -36,7 +36,10 @@ def place(draft: Draft, point: str, data: Value) -> None:
         )
     if point in draft.points:
         raise FaultError(
-            Words(f"点 {point} 已在构件 {draft.name} 上", f"point {point} is already on link {draft.name}"),
+            Words(
+                f"点 {point} 已在构件 {draft.name} 上；请删去其中一处",
+                f"point {point} is already on link {draft.name}; leave out one of the two",
+            ),
             code="contradiction",
         )
     lengths = [key for key in data if PLACED.fullmatch(key)]

@@ -14,7 +14,7 @@ from ...units.reading import Dim, Quantity, read
 from ...words import Words
 from ..links.bodies import Bodies, frame_number
 from ..links.draft import Draft
-from ..schema.faults import meant
+from ..schema.faults import meant, not_on_link
 from ..schema.models import LoadSpec, TableSpec
 from .driven import Driven
 from .laws.lawful import CONSTANT, lawful, read_constant, read_motor
@@ -114,12 +114,7 @@ def _force(name: str, spec: LoadSpec, written: str | TableSpec, draft: Draft, dr
             code="missing",
         )
     if spec.at not in draft.held:
-        raise FaultError(
-            Words(f"点“{spec.at}”不在构件 {spec.on} 上", f"point '{spec.at}' is not on link {spec.on}")
-            + meant(spec.at, draft.held),
-            "at",
-            code="unknown-name",
-        )
+        raise not_on_link(spec.at, spec.on, draft.held, "at")
     size = _size(written, Dim.FORCE)
     if size is not None and size < 0:
         raise FaultError(

@@ -83,10 +83,11 @@ def meant(word: str, known: Iterable[str]) -> Words:
     return Words(f"；已有：{there}", f"; known: {there}") if 0 < len(plain) <= 30 else Words.same("")
 
 
-def not_on_link(letter: str, link: str, points: Iterable[str]) -> FaultError:
-    """A letter that the link has not."""
+def not_on_link(letter: str, link: str, points: Iterable[str], *path: str) -> FaultError:
+    """A letter that the link has not, written under this key."""
     return FaultError(
         Words(f"点“{letter}”不在构件 {link} 上", f"point '{letter}' is not on link {link}") + meant(letter, points),
+        *path,
         code="unknown-name",
     )
 

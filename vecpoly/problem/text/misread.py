@@ -185,7 +185,7 @@ def _indented(number: int, lines: list[str]) -> Misread:
     for line in reversed(lines[:number]):
         if line.strip() and not line.lstrip().startswith("#") and (not fits or _indent(line) < fits[-1]):
             fits.append(_indent(line))
-    if here in fits:
+    if here in fits or not fits:
         return Misread(_FALLBACK, number, here)
     zh, en = " 或 ".join(map(str, reversed(fits))), " or ".join(map(str, reversed(fits)))
     return Misread(

@@ -92,6 +92,9 @@ def read_motor(name: str, spec: LoadSpec, draft: Draft, driven: Driven) -> Momen
     return Moment(name=name, link=draft.name, size=size, role=spec.role or "", law=law)
 
 
+_NONE_OF_SLIDES = Words('请改写 size: "?"（求此位置的值）', 'write size: "?" instead, which is of this position')
+
+
 def read_constant(name: str, spec: LoadSpec, draft: Draft, driven: Driven) -> Constant:
     """The unknown moment on the driving link that is the same over the period."""
     _refuse_loose(spec)
@@ -104,15 +107,18 @@ def read_constant(name: str, spec: LoadSpec, draft: Draft, driven: Driven) -> Co
 def _refuse_elsewhere(key: str, what: Words, spec: LoadSpec, draft: Draft, driven: Driven) -> None:
     """FaultError where it is not a moment on the turning driving link, always there."""
     drive = driven.drive
-    if drive.slide or drive.between or draft.name != drive.link:
-        here = Words("移动", "slides") if drive.slide else Words("转动", "turns")
+    if drive.link and (drive.slide or drive.between or draft.name != drive.link):  # else what drives is a fault itself
+        turns = not (drive.slide or drive.between)
+        here = Words("转动", "turns") if turns else Words("移动", "slides")
+        remedy = Words(f"请写 on: {drive.link}", f"write on: {drive.link}") if turns else _NONE_OF_SLIDES
         raise FaultError(
             Words(
                 f"{what.zh}只能作用于转动的原动件，而这里写在构件 {draft.name} 上，"
-                f"原动件是构件 {drive.link}（{here.zh}）；请写 on: {drive.link}",
+                f"原动件是构件 {drive.link}（{here.zh}）；",
                 f"{what.en} acts on the driving link, which must turn; here it is on link {draft.name}, and link "
-                f"{drive.link} drives ({here.en}); write on: {drive.link}",
-            ),
+                f"{drive.link} drives ({here.en}); ",
+            )
+            + remedy,
             "on",
             code="no-period" if key == "size" else "contradiction",
         )
