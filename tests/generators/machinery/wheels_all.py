@@ -98,7 +98,7 @@ def _ring(wheel: Flywheel, found: dict[str, float], speed: float) -> str:
     rim = wheel.rim
     if rim is None or "h" not in found or not found["h"]:
         return ""
-    high, wide = 1e-3 * found["h"], 1e-3 * found["b"]
+    high, wide = found["h"], found["b"]
     mass = rim.density.si * wide * pi / 4 * ((rim.D.si + high) ** 2 - (rim.D.si - high) ** 2)
     thin = found["m_rim"] * rim.D.si**2 / 4
     edge = speed * (rim.D.si + high) / 2
