@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 import shapely
+from pypdf import PdfReader
 
 from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from vecpoly.board.paper.marks import Arc
-from vecpoly.drawing.scene import Stroke, TextBox
+from vecpoly.drawing.scene import Layer, Stroke, TextBox
 from vecpoly.drawing.style import Dash
 from vecpoly.marked.out.feedback import side_by_side
 from vecpoly.marked.out.overlay import overlays
@@ -32,9 +33,8 @@ def test_an_arrow_is_drawn_where_it_points(tmp_path: Path, behind: str, right: b
     done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: mine}))
     marked = done.results[0].marks["3-9"]
     assert marked["v_E"].is_right is right
-    drawn = [
-        scene for _, scene in overlays(solve(register().variant(sheet.parts[0]), repeats=0).construction, marked, "en")
-    ]
+    construction = solve(register().variant(sheet.parts[0]), repeats=0).construction
+    drawn = [one.scene for one in overlays(construction, marked, "en")]
     ways = [
         degrees(cmath.phase(item.points[1] - item.points[0]))
         for scene in drawn
@@ -51,7 +51,8 @@ def test_letters_of_an_overlay_keep_clear_of_the_circles_of_what_is_allowed_and_
     done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: answers(NUMBERS[0])}))
     sheet, marked = register().sheet(NUMBERS[0]), done.results[0].marks["3-9"]
     assert sheet is not None
-    drawn = list(overlays(solve(register().variant(sheet.parts[0]), repeats=0).construction, marked, "en"))
+    found = overlays(solve(register().variant(sheet.parts[0]), repeats=0).construction, marked, "en")
+    drawn = [(one.figure, one.scene) for one in found]
     for figure, scene in drawn:
         allowed = [mark for mark in figure.marks if isinstance(mark, Arc)]
         rings = [shapely.Point(ring.centre.real, ring.centre.imag).buffer(ring.radius).boundary for ring in allowed]
@@ -72,7 +73,29 @@ def test_the_title_and_the_scale_of_an_overlay_stand_below_what_the_student_drew
     assert sheet is not None
     drawn = list(overlays(solve(register().variant(sheet.parts[0]), repeats=0).construction, marked, "zh"))
     assert len(drawn) > 1
-    for _, scene in drawn:
+    for scene in (one.scene for one in drawn):
         own = [item for item in scene.items if isinstance(item, Stroke) and item.dash is Dash.DASHED]
         caption = sorted((item.rect for item in scene.items if isinstance(item, TextBox)), key=lambda rect: rect.y0)[:2]
         assert own and max(rect.y1 for rect in caption) < min(z.imag for item in own for z in item.points)
+
+
+@pytest.mark.parametrize(("times", "cut"), [(1.5, False), (10.0, True), (1000.0, True)])
+def test_a_vector_that_goes_off_the_page_is_drawn_in_part_and_told(tmp_path: Path, times: float, cut: bool) -> None:
+    """A power of ten made the whole polygon vanish from the feedback."""
+    sheet = register().sheet(NUMBERS[0])
+    assert sheet is not None
+    exact = sheet.parts[0].key["v_E"]
+    file = wide(tmp_path / "a.csv", {NUMBERS[0]: {"v_E": f"{times * exact.exact:.4g} m/s"}})
+    done = graded(tmp_path / "out", file, feedback=True)
+    construction = solve(register().variant(sheet.parts[0]), repeats=0).construction
+    (one,) = overlays(construction, done.results[0].marks["3-9"], "en")
+    assert one.cut == ((exact.symbol,) if cut else ())
+    assert one.scene.extents.width <= 168 and one.scene.extents.height <= 150
+    dashed = [item for item in one.scene.items if isinstance(item, Stroke) and item.dash is Dash.DASHED]
+    (own,) = [item for item in dashed if len(item.points) == 2 and item.layer is Layer.OVER]
+    heads = [item for item in one.scene.items if isinstance(item, Stroke) and item.layer is Layer.HEAD]
+    ends = [item for item in heads if own.points[1] in item.points]
+    assert len(ends) == (0 if cut else 2)
+    (pdf,) = (tmp_path / "out" / "feedback").iterdir()
+    text = "".join(page.extract_text() for page in PdfReader(pdf).pages)
+    assert ("超出图面" in text) is cut and "速度多边形" in text

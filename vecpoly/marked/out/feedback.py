@@ -119,6 +119,7 @@ def _problem(
     below = notes([said for one in marked.findings for said in _shown(one.messages, open_)])
     said = [*(one.words.of(lang) for one in marked.messages), *(fault.of(lang) for fault in marked.faults)]
     said += [] if work is None else [one.of(lang) for one in work.mark.told]
+    figures, cut = ([], "") if open_ or drawn else _figures(register, part, marked, lang, objects)
     return {
         "label": label(problem.id).of(lang), "title": problem.title.of(lang), "total": f"{marked.total:g}",
         "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),
@@ -129,7 +130,7 @@ def _problem(
         "equations": objects.add("tab", _equations(marked, lang, open_)) if marked.equations else "",
         "lines": objects.add("tab", _lines(marked, lang, open_)) if marked.lines else "",
         "drawn": [] if open_ else [objects.add("pic", _block(one, _HANDED.of(lang))) for one in drawn if _fits(one)],
-        "figures": [] if open_ or drawn else _figures(register, part, marked, lang, objects),
+        "figures": figures, "cut": cut,
     }  # fmt: skip
 
 
@@ -186,15 +187,17 @@ def _table(heads: Sequence[str], rows: Sequence[Sequence[str]], lang: Lang) -> D
     return DataTable(heads[:last], [row[:last] for row in rows], _WIDTHS[:last], "lllddl"[:last], lang=lang)
 
 
-def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects) -> list[str]:
-    """The polygons at the student's own scales."""
+def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects) -> tuple[list[str], str]:
+    """The polygons at the student's own scales; the vectors that go off the page."""
     problem = replace(register.variant(part), scales=Scales(dict(marked.key.scales)))
     try:
         construction = constructed(problem, hand("exact"), AS_DRAWN).construction
     except VecpolyError:
-        return []  # at a scale of the student's own that no paper holds
-    drawn = [(figure.title.of(lang), scene) for figure, scene in overlays(construction, marked, lang) if _fits(scene)]
-    return [objects.add("pic", _block(scene, said)) for said, scene in side_by_side(drawn)]
+        return [], ""  # at a scale of the student's own that no paper holds
+    found = [one for one in overlays(construction, marked, lang) if _fits(one.scene)]
+    drawn = [(one.figure.title.of(lang), one.scene) for one in found]
+    cut = ("、" if lang == "zh" else ", ").join(f"${symbol}$" for one in found for symbol in one.cut)
+    return [objects.add("pic", _block(scene, said)) for said, scene in side_by_side(drawn)], cut
 
 
 def side_by_side(drawn: Sequence[tuple[str, Scene]]) -> Iterator[tuple[str, Scene]]:

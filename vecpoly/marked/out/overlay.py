@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
+from dataclasses import dataclass
 from math import radians, tau
 
 from ...board.acts import Arrow
@@ -11,8 +12,9 @@ from ...board.construction import Construction, Figure
 from ...board.paper.marks import Arc, Dot, Mark, Point, Role
 from ...board.place import View
 from ...drawing.figure import caption_items, draw_figure
-from ...drawing.scene import Item, Layer, Scene, Stroke
+from ...drawing.scene import Item, Layer, Rect, Scene, Stroke
 from ...drawing.style import RESULT, Dash, Hue
+from ...foundation.frozen import FrozenMap
 from ...foundation.slotted import replace
 from ...grading.compare.outcome import Finding
 from ...grading.key import AnswerKey, Graded, Kind
@@ -20,11 +22,23 @@ from ...grading.marking.marked import Marked
 from ...words import Lang
 
 _HEAD, _HALF = 3.0, radians(9.5)  # mm, half the angle of an arrowhead
+ROOM = (164.0, 130.0)  # mm that a figure may take with what the student drew; its caption stands below
+BEYOND = 20.0  # mm: how far beyond the figure a line is drawn that has no room on the page
 _LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL)
 POLYGONS = (View.VELOCITY, View.ACCELERATION, View.FORCE)
 
 
-def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator[tuple[Figure, Scene]]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Overlay:
+    """A polygon with what the student drew over it; cut: symbols of vectors that go off the page, drawn as far as it
+    goes and without a head."""
+
+    figure: Figure
+    scene: Scene
+    cut: tuple[str, ...] = ()
+
+
+def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator[Overlay]:
     """Each polygon on which something of this student can be drawn."""
     for figure in construction.figures:
         if figure.view not in POLYGONS:
@@ -32,12 +46,15 @@ def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator
         arrows = _arrows(construction, figure)
         own = [one for one in marked.findings if _drawable(one, marked.key) and one.key in arrows]
         if own:
-            items = tuple(item for one in own for item in _items(one, marked.key[one.key], arrows[one.key]))
             allowed = tuple(_allowed(marked.key[one.key], arrows[one.key][1]) for one in own)
             cleared = _cleared(figure)
-            whole = replace(cleared, tones=None, marks=(*cleared.marks, *allowed))
-            both = draw_figure(whole, lang=lang, caption=False) + Scene.of(items)
-            yield whole, both + Scene.of(caption_items(whole, both.extents, lang))  # below what the student drew, too
+            whole = replace(cleared, tones=FrozenMap({}), marks=(*cleared.marks, *allowed))
+            exact = draw_figure(whole, lang=lang, caption=False)
+            lines = [_line(one, marked.key[one.key], arrows[one.key], exact.extents) for one in own]
+            both = exact + Scene.of(tuple(item for line in lines if line is not None for item in line.items()))
+            cut = tuple(one.symbol for one in lines if one is not None and one.cut)
+            scene = both + Scene.of(caption_items(whole, both.extents, lang))  # below what the student drew, too
+            yield Overlay(figure=whole, scene=scene, cut=cut)
 
 
 def _drawable(one: Finding, key: AnswerKey) -> bool:
@@ -62,20 +79,50 @@ def _direction(mark: Mark) -> bool:
     return isinstance(mark, Point) and mark.dot is Dot.NONE
 
 
-def _items(one: Finding, graded: Graded, ends: tuple[complex, complex]) -> Iterator[Item]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Line:
+    """A vector as the student has it, as far as the page goes."""
+
+    symbol: str
+    start: complex
+    tip: complex
+    hue: Hue
+    cut: bool
+
+    def items(self) -> Iterator[Item]:
+        """The shaft, and the head where it is reached."""
+        yield Stroke(points=(self.start, self.tip), width=RESULT, dash=Dash.DASHED, hue=self.hue, layer=Layer.OVER)
+        along = (self.tip - self.start) / abs(self.tip - self.start)
+        for side in () if self.cut else (-_HALF, _HALF):
+            back = self.tip - _HEAD * along * cmath.exp(1j * side)
+            yield Stroke(points=(self.tip, back), width=RESULT, hue=self.hue, layer=Layer.HEAD)
+
+
+def _line(one: Finding, graded: Graded, ends: tuple[complex, complex], exact: Rect) -> _Line | None:
+    """exact: what the figure takes without it."""
     start, end = ends
-    exact = end - start
-    if not abs(exact) or not graded.exact or one.value is None or graded.mm is None:
-        return
+    if end == start or not graded.exact or not one.value or graded.mm is None:
+        return None
     size = abs(one.value / graded.exact) * graded.mm
-    along, told = exact / abs(exact), one.written.direction
+    along, told = (end - start) / abs(end - start), one.written.direction
     if told is not None:  # an arrow or a word tells it roughly
         turned = cmath.exp(1j * radians(told.degrees)) / along
         along *= 1.0 if abs(cmath.phase(turned)) <= radians(told.reach) else turned
-    tip, hue = start + size * along, Hue.BLACK if one.is_right else Hue.ALARM
-    yield Stroke(points=(start, tip), width=RESULT, dash=Dash.DASHED, hue=hue, layer=Layer.OVER)
-    for side in (-_HALF, _HALF):
-        yield Stroke(points=(tip, tip - _HEAD * along * cmath.exp(1j * side)), width=RESULT, hue=hue, layer=Layer.HEAD)
+    wide, high = (max(room - taken, 0.0) / 2 for room, taken in zip(ROOM, (exact.width, exact.height), strict=True))
+    reached = size
+    if size > _free(start, along, exact, (wide, high)):
+        reached = _free(start, along, exact, (min(wide, BEYOND), min(high, BEYOND)))
+    hue = Hue.BLACK if one.is_right else Hue.ALARM
+    return _Line(symbol=graded.symbol, start=start, tip=start + reached * along, hue=hue, cut=reached < size)
+
+
+def _free(start: complex, along: complex, exact: Rect, beyond: tuple[float, float]) -> float:
+    """How far a line may go that ends so far beyond the figure."""
+    borders = (
+        (along.real, start.real, exact.x0 - beyond[0], exact.x1 + beyond[0]),
+        (along.imag, start.imag, exact.y0 - beyond[1], exact.y1 + beyond[1]),
+    )
+    return min(((high if way > 0 else low) - at) / way for way, at, low, high in borders if way)
 
 
 def _allowed(graded: Graded, end: complex) -> Arc:
