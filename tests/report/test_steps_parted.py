@@ -24,7 +24,7 @@ ROOMS = range(10, 120, 3)
 
 
 def high(blocks: list[Block]) -> float:
-    return sum(one.wrap(COLUMN, 0.0)[1] for one in blocks)
+    return float(sum(one.wrap(COLUMN, 0.0)[1] for one in blocks))
 
 
 def step(lines: int = 1, formulas: int = 4) -> list[Block]:
