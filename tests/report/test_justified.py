@@ -51,7 +51,7 @@ def test_pages_nearly_full_end_lower_and_hold_what_they_held(name: str, lang: La
         assert now > was - 1e-9 if was >= NEARLY else now == pytest.approx(was, abs=ROW)
 
 
-@pytest.mark.parametrize("name", ["8-16", "two-trains-one-sun"])
+@pytest.mark.parametrize("name", ["8-6", "two-trains-one-sun"])
 def test_a_page_that_ends_above_white_is_opened_to_its_foot(name: str) -> None:
     doc = counted(name, "zh", "solution")
     (at, *_) = (n for n, full in enumerate(doc.filled) if NEARLY < full < 0.95)

@@ -6,10 +6,10 @@ import pytest
 
 from tests.drawn_library import drafted
 from tests.laws import few
-from tests.report.test_pages_filled import META, laid_out, text
+from tests.report.test_pages_filled import FULL, LAST, META, laid_out, text
 from vecpoly.report.flow.blocks import SheetPage
 from vecpoly.report.flow.doc import ReportDoc
-from vecpoly.report.flow.paging.balanced import LEAST, balanced, emptiness
+from vecpoly.report.flow.paging.balanced import balanced, emptiness
 from vecpoly.words import Lang
 
 LEFT_OVER = ("2-4", "2-10", "8-2b", "8-10", "2-11", "2-12", "D-2")  # texts that ended on a page of little
@@ -23,8 +23,7 @@ def test_every_page_of_a_report_but_the_last_is_nearly_full(name: str, lang: Lan
     assert solution is not None
     doc = laid_out([solution], lang)
     *others, last = doc.filled
-    assert min(others) > 0.7 and last >= LEAST
-    assert not doc.widows and not doc.parted
+    assert min(others) >= FULL and last >= LAST and not doc.widows
 
 
 @pytest.mark.parametrize("name", few(LEFT_OVER, 3))
@@ -32,7 +31,8 @@ def test_no_page_is_left_to_a_few_lines_behind_a_plate(name: str) -> None:
     solution = drafted(name)
     assert solution is not None
     doc = laid_out([solution], "zh")
-    assert min(doc.filled) >= 0.5 and not doc.widows and not doc.parted
+    *others, last = doc.filled
+    assert min(others) >= FULL and last >= LAST and not doc.widows
 
 
 def test_a_text_of_little_more_than_a_page_is_spread_over_two() -> None:

@@ -28,7 +28,7 @@ _LISTED, _DRAWN = (
     Words("曲线见{}。", "The curves are drawn in {}."),
 )
 _GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
-_WHOLE, _WHITE = 20, 145.0  # rows of a table that rather leaves so much white (pt) than is parted
+_WHOLE, _WHITE = 20, 88.0  # rows of a table that rather leaves so much white (pt) than is parted
 TINY = Style(size=8.5, leading=9.0, after=0.0, align="left")
 
 

@@ -44,6 +44,7 @@ class Block(Flowable):  # type: ignore[misc]
     width: float
     height: float
     keepWithNext: int = 0
+    clings = False  # to what stands before it, where both are held together
     ghost = False  # takes its room and leaves no ink
     airy = 0.0  # share of the white around it that it keeps, however tightly it is set
 

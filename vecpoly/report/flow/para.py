@@ -44,6 +44,11 @@ class Para(Block):
         self._heights: dict[float, float] = {}  # the same, of all that are set as closely
         self._item: Tag | None = None
 
+    @property
+    def labelled(self) -> bool:
+        """Whether a number hangs before it."""
+        return bool(self._label)
+
     def put_in_list(self, item: Tag, body: Tag) -> None:
         """It opens an item of a list, whose label is its own."""
         self.put_within(body)

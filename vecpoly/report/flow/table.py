@@ -33,7 +33,7 @@ _HEAVY, _FINE = 0.9, 0.45  # pt
 _ALIGN = {"l": "left", "c": "centre", "r": "right", "d": "centre", "u": "centre"}
 
 _Row = tuple[tuple[Line, ...], ...]
-_MANY_ROWS, _LEAST_ROWS = 6, 4  # that a page break leaves before it of a whole table; of others, and behind it
+_MANY_ROWS, _LEAST_ROWS = 4, 3  # that a page break leaves before it of a whole table; of others, and behind it
 _PAGE_ROWS = 40  # for which a page has room
 
 

@@ -16,7 +16,7 @@ from .together import first_of, led
 
 ROUNDS = 8  # what begins on a page of another may end on one that holds little
 FEW = 2  # pages behind its sheets that a part may have, at most
-FULL = 0.8  # of the last page of a part: what is less is shared with what comes next
+FULL = 0.88  # of the last page of a part: what is less is shared with what comes next
 
 
 def run_on(story: Sequence[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:
@@ -44,9 +44,9 @@ def _shared(story: Sequence[Any], doc: ReportDoc) -> list[Any] | None:
         if full >= FULL or any(sheet.fixed for sheet in sheets) or (last and (not sheets or pages < 2 or changed)):
             out += [*text, *behind]
             continue
-        head = _opening(text)
+        head = opening(text)
         after = max(pages - 1, 1) if len(parts) == 1 else _after(heads)
-        floating = (_behind(sheet, after) for sheet in sheets)
+        floating = (put_behind(sheet, after) for sheet in sheets)
         ends = not last and any(isinstance(item, PageBreak) for item in behind)  # else it goes on behind its sheets
         out += [*text[:head], *floating, *text[head:], *([Divider()] if ends else [])]
     return out if len(out) != len(story) or any(a is not b for a, b in zip(out, story, strict=True)) else None
@@ -68,13 +68,14 @@ def _after(heads: Sequence[Any]) -> int:
     return max(len(heads) - 1, 1)
 
 
-def _opening(text: Sequence[Any]) -> int:
+def opening(text: Sequence[Any]) -> int:
     """How many blocks stand together where it begins: its heading, and what is not parted from that."""
     held = led(text)
     return 1 + next((at for at, item in enumerate(held) if not getattr(item, "keepWithNext", 0)), len(held) - 1)
 
 
-def _behind(sheet: SheetPage, pages: int) -> SheetPage:
+def put_behind(sheet: SheetPage, pages: int) -> SheetPage:
+    """The sheet, so many pages behind the place where it is met."""
     own = copy(sheet)
     own.behind = pages
     return own

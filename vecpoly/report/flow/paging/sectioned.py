@@ -13,7 +13,7 @@ from .setting import faults_of
 from .together import first_of
 
 HALF = 0.5  # of the last page, at least, where it stands alone behind the sheets
-FULL = 0.7  # of the page before the sheets, at least: a section is rather parted by them than a page left white
+FULL = 0.88  # of the page before the sheets, at least: a section is rather parted by them than a page left white
 
 
 def sectioned(story: list[Any], doc: ReportDoc) -> tuple[list[Any], ReportDoc]:

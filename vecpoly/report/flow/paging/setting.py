@@ -25,6 +25,6 @@ def reset(item: Any, degree: Tightness | None) -> Any:
     return own
 
 
-def faults_of(doc: ReportDoc) -> tuple[int, int, int]:
-    """What there is to be mended on the pages, the worst first: boxes that open one, steps parted, holes."""
-    return len(doc.widows), doc.parted, doc.gaps
+def faults_of(doc: ReportDoc) -> tuple[int, int]:
+    """What there is to be mended on the pages, the worst first: boxes that open one, holes."""
+    return len(doc.widows), doc.gaps

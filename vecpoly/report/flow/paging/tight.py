@@ -96,8 +96,8 @@ def _closed_up(story: Sequence[Any], doc: ReportDoc) -> ReportDoc:
 
 
 def _mended(story: list[Any], doc: ReportDoc) -> tuple[Sequence[Any], ReportDoc]:
-    """The story, tightened as little as will do where a box opens one of its pages, a page break parts a step, or a
-    step leaves a hole; and it laid out. doc: it, as it was."""
+    """The story, tightened as little as will do where a box opens one of its pages or a step leaves a hole; and it
+    laid out. doc: it, as it was."""
     faults, found, best = faults_of(doc), story, doc
     for degree in DEGREES:
         if not any(faults):

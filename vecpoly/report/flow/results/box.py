@@ -33,6 +33,7 @@ class AnswerBox(Block):
     role = Role.DIV
     pieces = True
     airy = 0.8
+    clings = True
     compared = False  # whether exact values stand beside others
 
     def __init__(
@@ -47,6 +48,11 @@ class AnswerBox(Block):
         self._set_in: dict[float, tuple[tuple[GridRow, ...], ...]] = {}  # by width: without the title above, with it
         self._above = False  # whether the title stands above the lines
         self._set = False  # a part of a box keeps the rows that it was given
+
+    @property
+    def parted(self) -> bool:
+        """Whether it is what a page break left of a box."""
+        return self._set
 
     @property
     def directed(self) -> bool:

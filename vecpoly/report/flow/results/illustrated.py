@@ -34,6 +34,7 @@ class Beside(Block):
     def __init__(self, displays: Sequence[Display], figure: Drawing | None, aside: float = 0.0) -> None:
         super().__init__(displays[0].spaceBefore, displays[-1].spaceAfter)
         self.displays, self.figure, self.aside = (*displays,), figure, aside
+        self.clings = figure is not None and not isinstance(displays[0], EquationFlow)  # to the equation of the figure
 
     def put_within(self, outer: Tag) -> None:
         """All that it holds is a part of this element."""
