@@ -148,6 +148,7 @@ def _left(step: Step, solution: Solution) -> tuple[Node, ...]:
         for line in step.formulas
         if not any(line is one for one in told)
         and not (_is_nothing(line) and any(_is_said(line, text) for text in said))
+        and not (_is_bare(line) and any(_stands(line, text) for text in said[:-1]))
     ]
     worked = {plain(line) for one in before for line in one.formulas if _form(line)}
     new = [line for line in left if plain(line) not in worked]
@@ -212,6 +213,15 @@ def _is_said(line: Node, text: str) -> bool:
     symbol, *_, size = plain(line).split(EQUALS)
     zero = re.compile(rf"(?<![\w,′]){re.escape(symbol)} =(?: [\w,′^{{}}]+ =)* 0(?![.\d])")
     return size.split(" ")[0] == "0" and bool(zero.search(bare(text)))
+
+
+def _stands(line: Node, text: str) -> bool:
+    """Whether an earlier sentence has found it already: so ω_1 = 0.0330 rad/s."""
+    symbol, size = plain(line).split(EQUALS)
+    told = NUMBER.match(size)
+    starts = re.finditer(rf"(?<![\w,′]){re.escape(symbol)}{EQUALS}", text)
+    ends = (NUMBER.match(text, start.end()) for start in starts)
+    return told is not None and any(end is not None and end[0] == told[0] for end in ends)
 
 
 def _inline(line: Node) -> str:
