@@ -59,14 +59,16 @@ def _headed(line: Row, others: Sequence[Row]) -> Row:
 
 def chained(lines: Sequence[Node]) -> Iterator[Node]:
     """Lines in a row that say of one value after another that it is the same, R_32 = R_21 = 659 N, R_23 = R_12 = 659 N,
-    as one: R_21 = R_32 = R_12 = R_23 = 659 N."""
+    as one: R_21 = R_32 = R_12 = R_23 = 659 N; what another line has found stands last, R_12 = R_41 = R_23 = 1003 N."""
+    found = {plain(line.items[0]) for line in lines if isinstance(line, Row) and _end_of_chain(line) is None}
     for end, some in groupby(lines, key=_end_of_chain):
         run = list(some)
         if end is None or len(run) == 1:
             yield from run
             continue
         symbols = {plain(one): one for line in run if isinstance(line, Row) for one in (line.items[2], line.items[0])}
-        linked = [item for one in symbols.values() for item in (one, Txt(EQUALS))]
+        in_order = [symbols[name] for name in sorted(symbols, key=found.__contains__)]
+        linked = [item for one in in_order for item in (one, Txt(EQUALS))]
         yield Row((*linked[:-1], Txt(end)))
 
 
