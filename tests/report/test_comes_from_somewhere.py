@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from tests.drawn_library import IDS, LIBRARY, drafted, given
+from tests.drawn_library import LIBRARY, drafted, given
 from tests.each import Later, each
 from tests.studies import studied
-from vecpoly.algebra.formula import Row, plain
+from vecpoly.algebra.formula import plain
 from vecpoly.mechanism.model import Drive, Mechanism, Prismatic
 from vecpoly.mechanism.rams import driven_joint, stretched
 from vecpoly.solution import Solution
@@ -70,19 +70,6 @@ def test_a_load_that_a_table_gives_with_its_minus_has_none_before_its_symbol() -
     powers = [line for line in _lines(name) if line.startswith("P_")]
     assert loads and powers
     assert not [line for line in powers for load in loads if f"= −{load}" in line]
-
-
-@each(IDS)
-def test_no_line_finds_a_quantity_from_itself(name: str) -> None:
-    """h = μ_l h: the arm in metres, and that on paper."""
-    if drafted(name) is None:
-        return
-    for step in _solved(name).construction.steps:
-        for line in step.formulas:
-            if not isinstance(line, Row) or line.worked is None:
-                continue
-            symbol, formula, *_ = plain(line).split(" = ")
-            assert symbol not in formula.split("\u2009"), plain(line)
 
 
 @each(("three-legged-plate", "class-iii-slides"))

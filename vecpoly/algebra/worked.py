@@ -30,7 +30,7 @@ def worked(result: Node, expr: Expr, unit: str, shown: str = "") -> Row:
     formula = expr.symbol()
     if _is_lone(expr):
         return Row((result, Txt(" = "), formula, end), expr)
-    said = () if _bare(formula) == _bare(result) else (Txt(" = "), formula)
+    said = () if isinstance(expr, Quotient) and _bare(formula) == _bare(result) else (Txt(" = "), formula)
     return Row((result, *said, Txt(" = "), keyed_in(expr, shown), end), expr)
 
 

@@ -44,7 +44,7 @@ def keep_arm(st: Statics, named: Named, arm: Product) -> None:
             mm=float(nominal(arm.value / mu.value)),
             line=named.symbol,
             scale=st.board.scale_of(View.MECHANISM).symbol,
-            formula=worked(arm.symbol(), arm, named.unit) if st.board.writes else None,
+            formula=worked(sym(named.symbol), arm, named.unit) if st.board.writes else None,
         ),
         arm.value,
     )
