@@ -9,8 +9,10 @@ from tests.drawn_library import LIBRARY, drafted, given
 from tests.each import Later, each
 from tests.studies import studied
 from vecpoly.algebra.formula import plain
+from vecpoly.board.paper.marks import AngleMark, Point
 from vecpoly.mechanism.model import Drive, Mechanism, Prismatic
 from vecpoly.mechanism.rams import driven_joint, stretched
+from vecpoly.report.question.sketch import sketched
 from vecpoly.solution import Solution
 
 _NEGATIVE = re.compile(r"由数据表查得（直线内插）\$(\S+)\$ = −")
@@ -95,3 +97,12 @@ def test_the_given_position_is_told_as_it_is_given() -> None:
 def test_that_two_points_coincide_is_told_of_velocities_too() -> None:
     """Crank and frame in one line: nothing slides, and so there is no Coriolis term."""
     assert any("重合，故 $v_{B3B2}$ = 0" in text.replace("_B3B2", "_{B3B2}") for text in _said("3-7c"))
+
+
+def test_the_sketch_of_what_is_given_has_no_angle_that_is_worked_out_of_a_function() -> None:
+    """The precision points are found on paper, and so are ψ_1, ψ_2, ψ_3."""
+    one = _solved("function-log")
+    figure = sketched(one.problem, one.construction, 120.0, 70.0)
+    assert figure is not None
+    labels = {mark.label for mark in figure.marks if isinstance(mark, Point | AngleMark)}
+    assert {"A", "D"} <= labels and not [label for label in labels if label[:1] in "MNφψ" and label]
