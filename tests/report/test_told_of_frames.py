@@ -6,6 +6,8 @@ from cmath import rect
 
 import pytest
 
+from tests.drawn_library import IDS, drawn
+from tests.each import each
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import Arc, Point, Segment
 from vecpoly.figures import View
@@ -15,6 +17,9 @@ from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.kinds import kinds
 from vecpoly.report.titles import subject
 from vecpoly.solution import solve
+from vecpoly.words import Lang
+
+LANGS: tuple[Lang, ...] = ("zh", "en")
 
 
 def told(name: str, lang: str) -> str:
@@ -43,6 +48,15 @@ def test_equations_with_and_without_friction_have_names_of_their_own() -> None:
     steps = [step for step in solve(load("5-3")).construction.steps if step.equation is not None]
     assert kinds(steps, "zh") == ["夹紧行程：力平衡方程（计入摩擦）", "夹紧行程：力平衡方程（不计摩擦）"]
     assert len(set(kinds(steps, "en"))) == 2 and kinds(steps, "en")[1].endswith(", without friction")
+
+
+@each((*IDS, "5-1", "travel-doubler"))
+def test_no_two_equations_of_a_question_are_called_alike(name: str) -> None:
+    construction = drawn(name).construction
+    steps = [step for step in construction.steps if step.equation is not None]
+    for lang in LANGS:
+        told = kinds(steps, lang, construction.figures)
+        assert len(set(told)) == len(told), told
 
 
 @pytest.mark.parametrize("name", ["cam-heart", "cam-roller-offset"])

@@ -72,6 +72,7 @@ class Drive:
     position: angle of the link's x axis from that of `on` (rad), or travel of the pin of their sliding pair along the
     guide from the guide's origin (m; between two moving links the length of a cylinder); rate: ω (rad/s) or v (m/s),
     relative to `on`; accel: α (rad/s²) or a (m/s²), likewise. ray: how the angle is told where that is another.
+    in_turns: its rate is told as n (r/min).
     """
 
     link: str
@@ -81,6 +82,7 @@ class Drive:
     slide: bool = False
     on: str = FRAME
     ray: ToldRay | None = None
+    in_turns: bool = False
 
     @property
     def zero(self) -> float:

@@ -12,6 +12,8 @@ from ..foundation.slotted import dataclass
 from ..words import Words
 from .model import Drive, Joint, Mechanism, Prismatic, Revolute
 
+NEAR = 1e-9  # m: a hinge so near the origin of the guide is that
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ram:
@@ -45,6 +47,15 @@ def units(mech: Mechanism) -> tuple[tuple[str, ...], ...]:
             found.remove(joined[1])
     order = [link.name for link in mech.links]
     return tuple(tuple(sorted(unit, key=order.index)) for unit in found)
+
+
+def stretched(mech: Mechanism, drive: Drive) -> tuple[str, ...]:
+    """The hinges of a cylinder whose distance its length is, that of its barrel first; none of another drive."""
+    joint = driven_joint(mech, drive)
+    if not isinstance(joint, Prismatic) or joint.guide not in mech.bodies:
+        return ()
+    foot, at = next(iter(mech.link(joint.guide).points.items()), ("", 0j))
+    return (foot, joint.pin) if abs(at - joint.origin) < NEAR else ()
 
 
 def driven_joint(mech: Mechanism, drive: Drive) -> Joint | None:

@@ -14,6 +14,7 @@ from ..board.construction import View
 from ..board.ledger import Stood
 from ..board.otherwise.amended import plain_letters
 from ..mechanism.model import FRAME, Link, Mechanism, Prismatic
+from ..mechanism.rams import stretched
 from ..names import At, Kind, Rel, ascii_key, subscripted
 from ..plane import Points, Reals
 from ..words import Words
@@ -180,8 +181,12 @@ class Desk(Diagram):
         return (view, at) in self.board.ledger.points
 
     def length(self, p: str, q: str) -> Quantity:
-        """l_PQ: given by the problem where one link carries both points; else measured once on the diagram, × μ_l."""
+        """l_PQ: given by the problem where one link carries both points, or a cylinder joins them; else measured once
+        on the diagram, × μ_l."""
         pair = frozenset((p, q))
+        for ram in (drive for drive in (*self.mech.drives, self.mech.instead_of) if drive is not None):
+            if ram.slide and ram.between and pair == set(ends := stretched(self.mech, ram)):
+                return magnitude(f"l_{''.join(ends)}", ram.position, "m")
         for link in (*self.mech.links, Link(name=FRAME, points=self.mech.frame)):
             if pair <= set(link.points):
                 return magnitude(f"l_{self.bar(link.name, p, q)}", abs(link.points[p] - link.points[q]), "m")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from ...cycle import Column
 
-_WHOLE = 1e-3  # of its unit, by which a position may be off a whole number and is told as that
+_NEAR = ((0, 1e-3), (2, 1e-7))  # decimals, and by how much of its unit a position may be off what is told so
 
 
 def place_told(drive: Column, phi: float) -> str:
-    """A position (rad, or m) to a tenth: 37.5°, 1714.9 mm; 90° of what is whole."""
+    """A position (rad, or m) to a tenth: 37.5°, 1714.9 mm; 90° of what is whole, 127.35° of what is given so."""
     size = drive.told(phi)
-    text = f"{size:.0f}" if abs(size - round(size)) < _WHOLE else f"{size:.1f}"
+    places = next((n for n, near in _NEAR if abs(size - round(size, n)) < near), 1)
+    text = f"{size:.{places}f}"
     text = text.lstrip("-") if not text.strip("-0.") else text.replace("-", "−")
     return f"{text}°" if drive.shown_unit == "°" else f"{text} {drive.shown_unit}"

@@ -53,7 +53,7 @@ def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes, sharin
     pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, q) for q in asked.drive]
     sheet = _paper(desk, there, asked, pairs, sharing)
     pane = opened(desk.board, NAME, TITLE, sheet, once=alone)
-    _say(desk, asked, pane, sheet)
+    _say(desk, asked, pane, sheet, pairs)
     if pane is not View.MECHANISM:
         desk.board.depict(pane, *mechanism_copied(desk, sheet, tuple(groups)))
     own = _rolled(desk, desk, asked.link, pairs, sheet.factor, desk.board)
@@ -113,15 +113,25 @@ def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pai
     return found
 
 
-def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper) -> None:
+def _normal_told(pair: Pair) -> Words:
+    """The line on which the pole lies: the normal of a path of the link."""
+    if pair.moving and pair.fixed:
+        return Words(f"直线 ${pair.fixed}{pair.moving}$", f"the line ${pair.fixed}{pair.moving}$")
+    at = pair.moving or pair.fixed
+    return Words(f"过 ${at}$ 的导路垂线", f"the perpendicular to the guide through ${at}$")
+
+
+def _say(desk: Desk, asked: Centrodes, pane: Place, sheet: Paper, pairs: tuple[Pair, Pair]) -> None:
     n, link, ends = asked.positions, desk.mech.number(asked.link), between(desk.mech, asked)
+    pole, (one, two) = centre(desk.mech, asked.link, FRAME).symbol, map(_normal_told, pairs)
     scale = Words.same("") if sheet.shared else Words(f"（{sheet.told}）", f" ({sheet.told})")
     desk.board.step(
         Words(
-            f"使原动件从 {ends.zh}，等分取 {n} 个位置，逐一作出构件 {link} 的绝对瞬心，依次记作 ${POLE}_1$ … "
-            f"${POLE}_{{{n}}}$，连成定瞬心线",
-            f"In {n} equally spaced positions of the input, from {ends.en}, find the pole of link {link}, one after "
-            f"the other ${POLE}_1$ to ${POLE}_{{{n}}}$; their locus is the fixed centrode",
+            f"{one.zh} 与 {two.zh} 的交点即构件 {link} 的绝对瞬心（图示位置为 ${pole}$）。使原动件从 {ends.zh}，等分取 "
+            f"{n} 个位置，逐一同样作出，依次记作 ${POLE}_1$ … ${POLE}_{{{n}}}$，连成定瞬心线",
+            f"The pole of link {link} is where {one.en} meets {two.en}: ${pole}$ in the given position. Find it "
+            f"likewise in {n} equally spaced positions of the input, from {ends.en}, one after the other ${POLE}_1$ to "
+            f"${POLE}_{{{n}}}$; their locus is the fixed centrode",
         )
         + scale
         + Words("。", "."),

@@ -22,7 +22,7 @@ from ...mechanism.asked.curvature import (
 from ...mechanism.model import FRAME
 from ...names import Named
 from ...plane import Points, nominal, unit
-from ...words import Words
+from ...words import Words, joined
 from ..centres.places import place_read
 from .state import CurvatureFigure
 from .strokes.collinear import draw_axis
@@ -32,7 +32,8 @@ def read_curvatures(fig: CurvatureFigure, wanted: frozenset[str]) -> None:
     """Every answer that is asked, measured on the figure."""
     mech, link = fig.desk.mech, fig.link
     if wanted:
-        fig.board.step(Words("由图量得：", "The following is measured on the figure:"), fig.pane)
+        sought = joined([Words.same(f"${symbol}$") for symbol in _symbols(fig, wanted)])
+        fig.board.step(Words(f"由图量得 {sought.zh}：", f"Measure {sought.en} on the figure:"), fig.pane)
     if (pole := centre(mech, link, FRAME)).key in wanted:
         _place(fig, pole, fig.pole, fig.p)
     if (w := inflection_pole(mech, link)).key in wanted:
@@ -48,6 +49,20 @@ def read_curvatures(fig: CurvatureFigure, wanted: frozenset[str]) -> None:
             _place(fig, named, at, point)
         if (named := radius(point)).key in wanted:
             _length(fig, named, (fig.at(point), at), f"{fig.shown(point)} O_{{{point}}}", point)
+
+
+def _symbols(fig: CurvatureFigure, wanted: frozenset[str]) -> list[str]:
+    """What is measured, by its symbols, in the order in which it is."""
+    mech, link = fig.desk.mech, fig.link
+    own = (
+        centre(mech, link, FRAME),
+        inflection_pole(mech, link),
+        return_pole(mech, link),
+        ball_point(mech, link),
+        diameter(mech, link),
+        *(named for point in fig.centres for named in (path_centre(point), radius(point))),
+    )
+    return [named.symbol for named in own if named.key in wanted]
 
 
 def read_collineation(fig: CurvatureFigure) -> None:

@@ -12,6 +12,7 @@ from ...words import Words
 from ..registry import Stage
 from .trial import Trial
 
+LEAST = 3  # figures of a number that is carried on
 ROUNDING = 1e-12  # of the accelerations that the velocity alone makes
 
 
@@ -58,7 +59,7 @@ def _rated(drive: Drive, rated: Drive) -> Words:
     ratio = (
         f"{number(_factor(drive, rated), 4)} {given}",
         f"{number(drive.rate, 4)} {given}",
-        f"${rate}_{link}$ = {number(rated.rate, 4)} {own}",
+        f"${rate}_{link}$ = {_carried_on(rated.rate)} {own}",
     )
     return Words(
         f"各速度与 ${rate}_{link}$ 成正比：先取 ${rate}_{link}$ = 1 {own} 试作速度多边形，"
@@ -67,6 +68,13 @@ def _rated(drive: Drive, rated: Drive) -> Words:
         f"${rate}_{link}$ = 1 {own} gives the input the rate {ratio[0]}; it is "
         f"{ratio[1]}, so {ratio[2]}.",
     )
+
+
+def _carried_on(value: float) -> str:
+    """The number as the lines that go on with it have it: three figures at least, 0.0330."""
+    text = number(value, 4)
+    missing = LEAST - len(text.lstrip("−0.").replace(".", ""))
+    return text if missing <= 0 or "×" in text else f"{text}{'' if '.' in text else '.'}{'0' * missing}"
 
 
 def _accelerated(trial: Trial, rated: Drive) -> Words:

@@ -195,6 +195,10 @@ class Statics(Rubbing):
             return self.balance
         return self.pulls[load.name].size if load.name in self.pulls else load.size
 
+    def is_told_signed(self, load: Load) -> bool:
+        """Whether the symbol of a load stands for its value with the sign: F = −39.3 N, off a table."""
+        return load.name in self.pulls and self.pulls[load.name].is_signed
+
     def along(self, load: Force) -> Points:
         """The direction of a force (a unit vector)."""
         return self.pulls[load.name].along if load.name in self.pulls else complex(np.exp(1j * load.direction))

@@ -3,6 +3,7 @@ the way from the pole to the sought point over one link or one guide."""
 
 from __future__ import annotations
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.said.short import too_short
 from ...mechanism.model import FRAME, Prismatic
@@ -74,8 +75,16 @@ def _say_nearly_none(desk: Desk, eq: Equation, closed: Closed) -> None:
         if not isinstance(term.rel, Rel) or term.rel.ref is None or term.unknowns != 1 or term.summed:
             continue
         start, end = closed.ends[term.rel.key]
-        if too_short(float(abs(nominal(end - start)))):
-            one, other = letters(desk, View.VELOCITY, term.rel.ref, term.rel.to).split()
+        apart = float(abs(nominal(end - start)))
+        one, other = letters(desk, View.VELOCITY, term.rel.ref, term.rel.to).split()
+        if apart < NO_LENGTH and term.rel.to.point == term.rel.ref.point:  # of two points of a link its ω tells it
+            desk.board.remark(
+                Words(
+                    f"${other}$ 与 ${one}$ 重合，故 ${term.symbol}$ = 0。",
+                    f" Point ${other}$ coincides with ${one}$, so ${term.symbol}$ = 0.",
+                )
+            )
+        elif too_short(apart):
             desk.board.remark(
                 Words(
                     f"${one}$、${other}$ 两点靠得很近，${term.symbol}$ 很小，图上量不准。",

@@ -12,6 +12,7 @@ from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Points, Reals
 from ...words import Words
 from ..desk import POLE, VECTOR, Desk, Turn
+from ..devices.speeds import of_turns
 from ..registry import Stage, method
 from .chains import never_turns
 from .image import images_of_link
@@ -41,6 +42,8 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
         View.VELOCITY,
     )
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
+    if drive.in_turns:
+        board.write_worked(w.node, of_turns(f"n_{drive.link}", w.value), w.unit)
     speed = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
     board.write_length(View.VELOCITY, f"p {tip}", speed)
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)

@@ -70,7 +70,8 @@ def images_of_link(desk: Desk, view: View, link: str) -> None:
 
 def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, At]]) -> None:
     (p, p_at), (q, q_at) = held[0], held[1]
-    board, x = desk.board, desk.name(at)
+    board, named = desk.board, _named(desk, link, at)
+    x = at.point if named.en else desk.name(at)
     letters = [desk.tip_label(view, a) for a in (p_at, q_at, at)]
     kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     a, b, c = letters
@@ -79,15 +80,17 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
         one, two = _between(desk, three, f"{p}{q}", f"{q}{p}"), _between(desk, three, adjoined(a, b), adjoined(b, a))
         ratio = f"${adjoined(a, c)} : {adjoined(a, b)} = {p}{x} : {p}{q}$"
         words = Words(
-            f"求 ${x}$ 点的{kind}（{kind}影像法）：${x}$ 在{one.zh}上，按 {ratio} 在{two.zh}上定出影像点 ${c}$。",
-            f"{kind_en.capitalize()} image: since ${x}$ lies on {one.en}, ${c}$ lies on {two.en} with {ratio}.",
+            f"求 ${x}$ 点{named.zh}的{kind}（{kind}影像法）：${x}$ 在{one.zh}上，按 {ratio} 在{two.zh}上定出影像点 "
+            f"${c}$。",
+            f"{kind_en.capitalize()} image: since ${x}$ lies on {one.en}, ${c}$ lies on {two.en} with {ratio}."
+            f"{named.en}",
         )
     else:
         words = Words(
-            f"求构件 {link} 上 ${x}$ 点的{kind}（{kind}影像法）：作 $△{adjoined(a, b, c)} ∽ △{p}{q}{x}$，字母绕行"
-            f"顺序相同，得影像点 ${c}$。",
+            f"求构件 {link} 上 ${x}$ 点{named.zh}的{kind}（{kind}影像法）：作 $△{adjoined(a, b, c)} ∽ △{p}{q}{x}$，"
+            f"字母绕行顺序相同，得影像点 ${c}$。",
             f"{kind_en.capitalize()} image of link {link}: the triangle ${adjoined(a, b, c)}$, similar to "
-            f"${p}{q}{x}$ with its letters in the same order, gives ${c}$.",
+            f"${p}{q}{x}$ with its letters in the same order, gives ${c}$.{named.en}",
         )
     board.step(words, view)
     letter_at_pole(desk, view, p_at, q_at)
@@ -100,6 +103,16 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     board.tint(view, (*tips, corner))
     board.plot(view, corner, letters[2])
     board.arrow(view, 0j, corner, Role.RESULT, key=desk.key(Rel(VECTOR[view], at)))
+
+
+def _named(desk: Desk, link: str, at: At) -> Words:
+    """What the point is called where the link is pinned to a block, under whose number it has its letter: F_4."""
+    owner, name = at.link or desk.coincident.get(at.point, ""), desk.name(at)
+    if owner in ("", link) or owner not in desk.mech.bodies:
+        return Words("", "")
+    return Words(
+        f"（也是构件 {owner} 上的 ${name}$）", f" The pin ${at.point}$ is also the point ${name}$ of link {owner}."
+    )
 
 
 def _is_one(desk: Desk, view: View, p: At, q: At) -> bool:

@@ -72,7 +72,7 @@ def _vector(here: str, term: Term) -> Words:
 
 def _line(term: Term) -> Words:
     """The line of a vector of unknown size: the perpendicular to BC, the parallel to the guide."""
-    if term.along is None or term.unknowns != 1 or term.summed:
+    if term.along is None or term.unknowns != 1:
         return _NOTHING
     (sign, zh), en = (term.direction.zh[:1], term.direction.zh[1:]), term.direction.en[1:]
     if sign not in ("⊥", "∥"):

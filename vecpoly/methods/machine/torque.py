@@ -45,12 +45,15 @@ def draw_moments(period: Period, sizes: Sizes, constant: Named | None) -> Moment
     pane = board.open_pane(TORQUE, "moments", MOMENTS, sizes.torque, aside=True)
     drives = curve.mean <= 0 if constant is not None else True
     which = ("d", "驱动", "driving") if drives else ("r", "阻", "resisting")
+    leaps = Words("；载荷突变处，力矩也突变", "; where a load begins or ends, it jumps")
     board.step(
         Words(
-            f"按 $μ_M$、$μ_φ$ 作已知力（矩）的等效{which[1]}力矩 $M_{{e{which[0]}}}$ 的线图；载荷突变处，力矩也突变。",
+            f"按 $μ_M$、$μ_φ$ 作已知力（矩）的等效{which[1]}力矩 $M_{{e{which[0]}}}$ 的线图",
             f"Plot the equivalent {which[2]} moment $M_{{e{which[0]}}}$ of the given loads to the scales $μ_M$ and "
-            "$μ_φ$; where a load begins or ends, it jumps.",
-        ),
+            "$μ_φ$",
+        )
+        + (leaps if curve.corners else Words("", ""))
+        + Words("。", "."),
         pane,
     )
     loads = _graph(period, pane, 1.0 if drives else -1.0)

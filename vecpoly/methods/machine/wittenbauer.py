@@ -96,14 +96,15 @@ def _speeds(period: Period, pane: Pane) -> None:
     assert run is not None and run.delta is not None
     scale = board.scale_of(pane)
     energy, mass = scale.symbol, scale.right.symbol
+    corner = Words("载荷突变处的尖点也算切点。", " A corner, where a load jumps, may be touched as well.")
     board.step(
         Words(
             f"由 $ω_m$ 和 $δ$ 得最大、最小角速度，作斜率为 $½ω²$ ${mass}/{energy}$ 的两条切线（上切、下切），与"
-            " $J_e$ = 0 的纵轴交于 $a$、$b$。载荷突变处的尖点也算切点。",
+            " $J_e$ = 0 的纵轴交于 $a$、$b$。",
             "The values $ω_m$ and $δ$ give the maximum and the minimum speed. Draw the tangents of slope $½ω²$ "
-            f"${mass}/{energy}$, one above the loop and one below it; they cut the axis $J_e$ = 0 in $a$ and $b$. A "
-            "corner, where a load jumps, may be touched as well.",
-        ),
+            f"${mass}/{energy}$, one above the loop and one below it; they cut the axis $J_e$ = 0 in $a$ and $b$.",
+        )
+        + (corner if period.curve.corners else Words("", "")),
         pane,
     )
     mean, half = _mean(period), Quantity(Frac(sym("δ"), Txt("2")), run.delta / 2, "")

@@ -152,8 +152,8 @@ def _turning(spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joi
             ),
             "alpha",
         )
-    position = phi.si + zero - lean
-    return Drive(link=name, position=position, rate=rate, accel=accel.si, ray=ray), tuple(data)
+    position, in_turns = phi.si + zero - lean, "r/min" in told.text
+    return Drive(link=name, position=position, rate=rate, accel=accel.si, ray=ray, in_turns=in_turns), tuple(data)
 
 
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 
 from ...foundation.slotted import dataclass, replace
+from ...printed.midway import some_go_down
 from ...solution import Answer, Solution
 from ...words import Lang, Words, stopped
 from ..flow.results.box import AnswerBox
@@ -31,12 +32,20 @@ _DIRECTED = Words(
 )
 
 
+_EVEN = Words(
+    "修约时拟舍弃部分恰为 5，末位取偶（GB/T 8170）",
+    "A result exactly midway between two digits is rounded to the even one (GB/T 8170)",
+)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Explained:
-    """What answers before this one have explained: what is exact and what an expected error is; the angles."""
+    """What answers before this one have explained: what is exact and what an expected error is; the angles; how a
+    result is rounded that lies midway."""
 
     compared: bool = False
     directed: bool = False
+    rounded: bool = False
 
 
 NOTHING_YET = Explained()
@@ -45,7 +54,11 @@ NOTHING_YET = Explained()
 def explained_by(things: Iterable[object]) -> Explained:
     """What the answers among these explain."""
     answers = [one for one in things if isinstance(one, AnswerBox)]
-    return Explained(compared=any(one.compared for one in answers), directed=any(one.directed for one in answers))
+    return Explained(
+        compared=any(one.compared for one in answers),
+        directed=any(one.directed for one in answers),
+        rounded=any(_EVEN.of(one.lang) in one.notes for one in answers),
+    )
 
 
 def answer_box(
@@ -62,12 +75,13 @@ def answer_box(
     tables = _tables(parts, rows, solution, lang)
     lines = _lines(parts, rows, solution, lang)
     notes, scales = notes_of(every, lang), scales_of(every, solution, lang)
+    even = (_EVEN.of(lang),) if some_go_down(solution.construction) and not explained.rounded else ()
     if not tables:
-        box = AnswerBox(lines, tuple(said), lang, (*notes, *scales))
+        box = AnswerBox(lines, tuple(said), lang, (*notes, *scales, *even))
         told = _DIRECTED if box.directed and not explained.directed else None
         return box if told is None else AnswerBox(lines, tuple(said), lang, (*box.notes, _begun(told.of(lang))))
     over = [name for table in tables for name in table.over]
-    notes = (*notes, *remarks_on(over, any(is_ill(one, solution) for one in every), lang))
+    notes = (*notes, *remarks_on(over, any(is_ill(one, solution) for one in every), lang), *even)
     made = TabledAnswers(tables, lines, tuple(said), lang, notes)
     head = _head(scales, made, explained, lang)
     return TabledAnswers(tables, lines, tuple(said), lang, notes, head)

@@ -9,7 +9,7 @@ from ...algebra.quantity import number
 from ...board.said.short import TOO_SHORT
 from ...printed.digits import coarse, is_hopeless, on_paper
 from ...solution import Answer, Solution
-from ...words import Lang, Words
+from ...words import Lang, Words, stopped
 from ..values import is_worded
 from .placed import clean
 
@@ -77,7 +77,7 @@ def _remarks(answers: Iterable[Answer], lang: Lang) -> Iterator[str]:
             found.setdefault(text, []).append(_symbol(one))
     for text, symbols in found.items():
         named = _listed(filter(None, symbols), lang)
-        yield f"{named}{_COLON[lang]}{text}" if named else text[:1].upper() + text[1:]
+        yield f"{named}{_COLON[lang]}{text}" if named else stopped(text[:1].upper() + text[1:], lang)
 
 
 def _symbol(answer: Answer) -> str:

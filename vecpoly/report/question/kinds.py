@@ -11,6 +11,7 @@ from .equations import named
 
 _FRICTION = (Words("（计入摩擦）", ", with friction"), Words("（不计摩擦）", ", without friction"))
 _OF, _LINK = Words("（{}）", " ({})"), Words("构件 {}", "link {}")
+_WITH = Words("，含 ${}$", ", with ${}$")
 _LINKS = Words("构件 {}", "links {}")
 _BODIES = re.compile(r"(\d+(?:-\d+)*)(?: ideal)?")  # 2, or a group: 2-3-4
 _REACTION = re.compile(r"R['′]?_\{\d(\d)[,}]")  # R_{12}, on link 2
@@ -26,8 +27,13 @@ def kinds(steps: Sequence[Step], lang: Lang, figures: Sequence[Figure] = ()) -> 
     told = [
         name + _FRICTION[without].of(lang) if name in twice else name for name, without in zip(told, ideal, strict=True)
     ]
-    return [
+    told = [
         _one_of(name, step, lang, figures) if told.count(name) > 1 else name
+        for name, step in zip(told, steps, strict=True)
+    ]
+    alike = {name: [one for one, own in zip(steps, told, strict=True) if own == name] for name in told}
+    return [
+        _apart(name, step, alike[name], lang) if len(alike[name]) > 1 else name
         for name, step in zip(told, steps, strict=True)
     ]
 
@@ -39,6 +45,17 @@ def _one_of(name: str, step: Step, lang: Lang, figures: Sequence[Figure]) -> str
     titles = (one.title for one in figures if isinstance(step.view, Pane) and step.view == Pane(one.view, one.name))
     title = next(titles, None)
     return name if title is None else _within(title, step, lang)
+
+
+def _apart(name: str, step: Step, alike: Sequence[Step], lang: Lang) -> str:
+    """The kind with the first term by which an equation differs from all others that are called so."""
+    others = {symbol for one in alike if one is not step for symbol in _terms(one)}
+    sole = next((symbol for symbol in _terms(step) if symbol not in others), None)
+    return name if sole is None else f"{name}{_WITH.of(lang).format(sole)}"
+
+
+def _terms(step: Step) -> Sequence[str]:
+    return step.equation.symbols if step.equation is not None else ()
 
 
 def _whose(step: Step, lang: Lang) -> str:

@@ -184,7 +184,7 @@ def of_machines(problem: Problem, key: str, symbol: str) -> Words | None:
     if key == "h" and problem.acting is not None:
         load = problem.acting.unknown
         return Words(
-            f"构件 {load.link} 上与 ${load_symbol(load.name)}$ 平衡的力偶的力臂 {symbol}",
+            f"与 ${load_symbol(load.name)}$ 平衡的力偶（作用于构件 {load.link}）的力偶臂 {symbol}",
             f"the arm {symbol} of the couple that balances ${load_symbol(load.name)}$ on link {load.link}",
         )
     meant = next((words for keys, words in _MEANT.items() if re.fullmatch(keys, key)), None)

@@ -82,11 +82,11 @@ _JACK = {
     "eta_r": Words("下降时的效率", "efficiency of lowering"),
 }
 _GUIDE = {
-    "F1|F2": Words("两导轨的支承力", "load of the guide"),
+    "F1|F2": Words("两导轨的支承力", "load on the guides"),
     "N_flank": Words("V 形一侧的法向反力", "normal force on a flank of the V"),
     "f_vee": Words("V 形导轨的当量摩擦系数", "equivalent coefficient of the V guide"),
-    "F_f_.*": Words("各导轨的摩擦力", "friction force of the guide"),
-    "F_f": Words("总摩擦力", "whole friction force"),
+    "F_f_.*": Words("各导轨的摩擦力", "friction force on the guides"),
+    "F_f": Words("总摩擦力", "total friction force"),
     "f_V": Words("整个导轨的当量摩擦系数", "equivalent coefficient of both guides"),
 }
 _TRAIN = {
@@ -121,7 +121,7 @@ _RUN = {
     "N_b": Words("制动时的转数", "number of revolutions with the brake"),
 }
 _EPICYCLIC = {
-    r"v_\w+": Words("速度的大小", "speed"),
+    r"v_\w+": Words("速度（向左为正）", "velocity (positive to the left)"),
     r"omega_\w+": Words("角速度", "angular velocity"),
     r"i_\w+": Words("传动比", "speed ratio"),
 }

@@ -59,14 +59,16 @@ def _headed(line: Row, others: Sequence[Row]) -> Row:
 
 def chained(lines: Sequence[Node]) -> Iterator[Node]:
     """Lines in a row that say of one value after another that it is the same, R_32 = R_21 = 659 N, R_23 = R_12 = 659 N,
-    as one: R_21 = R_32 = R_12 = R_23 = 659 N."""
+    as one: R_21 = R_32 = R_12 = R_23 = 659 N; what another line has found stands last, R_12 = R_41 = R_23 = 1003 N."""
+    found = {plain(line.items[0]) for line in lines if isinstance(line, Row) and _end_of_chain(line) is None}
     for end, some in groupby(lines, key=_end_of_chain):
         run = list(some)
         if end is None or len(run) == 1:
             yield from run
             continue
         symbols = {plain(one): one for line in run if isinstance(line, Row) for one in (line.items[2], line.items[0])}
-        linked = [item for one in symbols.values() for item in (one, Txt(EQUALS))]
+        in_order = [symbols[name] for name in sorted(symbols, key=found.__contains__)]
+        linked = [item for one in in_order for item in (one, Txt(EQUALS))]
         yield Row((*linked[:-1], Txt(end)))
 
 
@@ -148,6 +150,7 @@ def _left(step: Step, solution: Solution) -> tuple[Node, ...]:
         for line in step.formulas
         if not any(line is one for one in told)
         and not (_is_nothing(line) and any(_is_said(line, text) for text in said))
+        and not (_is_bare(line) and any(_stands(line, text) for text in said[:-1]))
     ]
     worked = {plain(line) for one in before for line in one.formulas if _form(line)}
     new = [line for line in left if plain(line) not in worked]
@@ -212,6 +215,15 @@ def _is_said(line: Node, text: str) -> bool:
     symbol, *_, size = plain(line).split(EQUALS)
     zero = re.compile(rf"(?<![\w,′]){re.escape(symbol)} =(?: [\w,′^{{}}]+ =)* 0(?![.\d])")
     return size.split(" ")[0] == "0" and bool(zero.search(bare(text)))
+
+
+def _stands(line: Node, text: str) -> bool:
+    """Whether an earlier sentence has found it already: so ω_1 = 0.0330 rad/s."""
+    symbol, size = plain(line).split(EQUALS)
+    told = NUMBER.match(size)
+    starts = re.finditer(rf"(?<![\w,′]){re.escape(symbol)}{EQUALS}", text)
+    ends = (NUMBER.match(text, start.end()) for start in starts)
+    return told is not None and any(end is not None and end[0] == told[0] for end in ends)
 
 
 def _inline(line: Node) -> str:

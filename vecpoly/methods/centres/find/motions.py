@@ -19,6 +19,7 @@ from ....plane import Points, Reals, cross, dot, nominal, unit
 from ....words import Words
 from ..state import CentreFigure
 from .proportion import proportioned
+from .senses import sense_told, ways
 from .spots import Spot, apart, given, measured, spot_of
 
 CLOSE = 1e-4  # mm: a centre so near an absolute one gives no ratio
@@ -143,7 +144,7 @@ class Motions:
         fig = self.fig
         base = spot_of(fig, via, FRAME)
         outside = bool(nominal(dot(common.at - base.at, common.at - own.at)) > 0)
-        sense = _sense(own.letter, common.letter, base.letter, outside)
+        sense = sense_told(own.letter, common.letter, base.letter, outside)
         fig.board.step(
             Words(
                 f"构件 {via}、{link} 在 ${common.letter}$ 处速度相同，$ω_{via}{_length(base, common)}$ = "
@@ -163,10 +164,11 @@ class Motions:
     def _translating(self, via: str, link: str) -> None:
         """v_j = v_Pij: all points of a translating link have the velocity of P_ij."""
         fig, common, base = self.fig, spot_of(self.fig, via, link), spot_of(self.fig, via, FRAME)
+        told = ways(base.letter, common.letter, via) if apart(base, common) > CLOSE else Words("", "")
         fig.board.step(
             Words(
-                f"构件 {link} 作平动，其各点速度等于 ${common.letter}$ 处的速度：",
-                f"Link {link} translates: all its points have the velocity of ${common.letter}$:",
+                f"构件 {link} 作平动，其各点速度等于 ${common.letter}$ 处的速度{told.zh}：",
+                f"Link {link} translates: all its points have the velocity of ${common.letter}${told.en}:",
             ),
             fig.pane,
         )
@@ -224,16 +226,3 @@ class Motions:
 
 def _length(p: Spot, q: Spot) -> str:
     return f"\u2009{p.letter}{q.letter}"
-
-
-def _sense(own: str, common: str, base: str, outside: bool) -> Words:
-    """Where P_ij lies, and so how the links turn: the letters of P_jk, P_ij, P_ik."""
-    if outside:
-        return Words(
-            f"${base}$、${own}$ 位于 ${common}$ 的同侧，两构件转向相同",
-            f"it lies outside ${base}$ and ${own}$, so they turn in the same sense",
-        )
-    return Words(
-        f"${common}$ 位于 ${base}$ 与 ${own}$ 之间，两构件转向相反",
-        f"it lies between ${base}$ and ${own}$, so they turn in opposite senses",
-    )

@@ -40,17 +40,23 @@ def bobillier(fig: CurvatureFigure, points: tuple[str, ...]) -> None:
 def _draw_tangent(fig: CurvatureFigure, axis: Axis) -> None:
     one, two = fig.rays
     board, q = fig.board, axis.letter
+    first, second = map(_normal, fig.rays)
     words = Words(
-        f"博比利尔定理：一条法线到共线轴 ${fig.p}{q}$ 的角，等于极切线 $t$ 到另一条法线的角。以 ${fig.p}$ 为圆心作弧，"
-        "用分规移取弦长，得极切线 $t$；极法线 $n$ 垂直于 $t$。",
-        f"Bobillier: one normal makes with the collineation axis ${fig.p}{q}$ the angle that the pole tangent $t$ "
-        f"makes "
-        f"with the other. Carry the chord of the arc about ${fig.p}$ with the dividers: this gives the pole tangent "
-        f"$t$; "
-        "the pole normal $n$ is perpendicular to it.",
+        f"博比利尔定理：由{first.zh}到共线轴 ${fig.p}{q}$ 的角，等于由极切线 $t$ 到{second.zh}的角，转向相同。以 "
+        f"${fig.p}$ 为圆心作弧，用分规移取弦长，得极切线 $t$；极法线 $n$ 垂直于 $t$。",
+        f"Bobillier: the angle from {first.en} to the collineation axis ${fig.p}{q}$ equals that from the pole tangent "
+        f"$t$ to {second.en}, in the same sense. Carry the chord of the arc about ${fig.p}$ with the dividers: this "
+        "gives the pole tangent $t$; the pole normal $n$ is perpendicular to it.",
     )
     board.step(words, fig.pane)
     fig.tangent = carry_angle(fig, (axis.line.along, one.line.along), two.line.along, "ψ")
+
+
+def _normal(ray: Ray) -> Words:
+    """The normal of a known path, by its letters."""
+    if ray.whole:
+        return Words(f"法线 ${ray.moving}{ray.fixed}$ ", f"the normal ${ray.moving}{ray.fixed}$")
+    return Words(f" ${ray.name}$ 处的法线", f"the normal at ${ray.name}$")
 
 
 def _inflected(fig: CurvatureFigure, axis: Axis) -> tuple[Ray, Points, str]:

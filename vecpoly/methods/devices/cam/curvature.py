@@ -66,7 +66,7 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
             f"{lettered(cam, spot, MOST_BENT).zh}。该处用哈特曼法作曲率中心：反转运动中 "
             "$v_B$ ⊥ $PB$，$v_B$ = $PB$·$ω$；取瞬心 $P$ 的换位速度 $u$ 垂直于法线的分量 $u′$。两速度用同一比例"
             "（取一半）画出，两矢量端点的连线交法线于 $K$，即曲率中心。以 $K$ 为圆心过 $B$ 作曲率圆：",
-            f"By trial the radius of the parts that bulge out is least{_but(cam).en} at $φ$ = {spot.told}°"
+            f"Trial shows that the radius of curvature of the convex parts is least{_but(cam).en} at $φ$ = {spot.told}°"
             f"{lettered(cam, spot, MOST_BENT).en}. "
             "The centre of curvature there follows from Hartmann's construction: in the inversion $v_B$ ⊥ $PB$ with "
             "$v_B$ = $PB$·$ω$. The instant centre $P$ itself moves with the velocity $u$, of which the component "

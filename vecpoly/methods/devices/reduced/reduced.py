@@ -92,10 +92,12 @@ def _product(factors: list[Quantity]) -> Expr:
 
 def _inertia(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]) -> Quantity:
     bench.board.section(Words("等效转动惯量", "Equivalent moment of inertia"))
+    drum = "" if train.hoist is None else f"{train.hoist[0]}"
     bench.board.step(
         Words(
-            "动能相等，各转动惯量 $J$ 乘以传动比的平方：",
-            "Equating kinetic energies, each $J$ is multiplied by the square of its speed ratio:",
+            f"动能相等，各转动惯量 $J$ 乘以传动比的平方{f'（卷筒半径 $R$ = $D_{{{drum}}}$/2）' if drum else ''}：",
+            "Equating kinetic energies, each $J$ is multiplied by the square of its speed ratio"
+            f"{f' (the radius of the drum is $R$ = $D_{{{drum}}}$/2)' if drum else ''}:",
         )
     )
     terms: list[Expr] = []

@@ -5,11 +5,14 @@ from __future__ import annotations
 from math import pi
 
 from ....algebra.formula import Txt
+from ....algebra.formula import named as named_node
 from ....algebra.quantity import Quantity, magnitude
+from ....algebra.worked import worked
 from ....devices.dynamics.reduced import LIFT, ROPE, TIME, TURNS, ReducedTrain, alpha_of, omega_of
 from ....devices.dynamics.shafts import G
 from ....words import Words
 from ..bench import Bench
+from ..speeds import of_turns
 
 TWO, FOUR_PI = Quantity(Txt("2"), 2.0, ""), Quantity(Txt("4π"), 4 * pi, "")
 
@@ -22,10 +25,16 @@ def run_up(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]
     if not train.moves:
         return
     board.section(Words("起动", "Run-up"))
-    board.step(Words("力矩不变，角加速度不变：", "The moments are constant, and so is the angular acceleration:"))
+    rest = Words("", "") if train.start.si else Words("（由静止起动，$ω_0$ = 0）", " (from rest, $ω_0$ = 0)")
+    board.step(
+        Words(
+            f"力矩不变，角加速度不变{rest.zh}：",
+            f"The moments are constant, and so is the angular acceleration{rest.en}:",
+        )
+    )
     first = magnitude("ω_0", train.start.si, "rad/s")
     if train.until is not None:
-        last = bench.stated(omega_of(train.main), train.until.si)
+        last = _at_last(bench, train, train.until.si, train.until.text)
         time = bench.worked(TIME, (last - first) / alpha)
     else:
         assert train.after is not None
@@ -37,6 +46,13 @@ def run_up(bench: Bench, train: ReducedTrain, ratios: dict[str, Quantity | None]
     turns = bench.worked(TURNS, (first + last) * time / FOUR_PI)
     if hoist is not None:
         _lifted(bench, hoist[0], train, ratios[hoist[0]], turns)
+
+
+def _at_last(bench: Bench, train: ReducedTrain, speed: float, text: str) -> Quantity:
+    """The speed at the end, that is given: as ω, or as n (r/min)."""
+    named = omega_of(train.main)
+    line = worked(named_node(named.symbol), of_turns(f"n_{{{train.main}}}", speed), named.unit)
+    return bench.stated(named, speed, line if "r/min" in text else None)
 
 
 def _rope(bench: Bench, train: ReducedTrain, name: str) -> None:

@@ -66,8 +66,9 @@ def works(st: Statics) -> Iterator[Work]:
         if load.size is not None:
             rate, named = rate_of(st, load), load_named(load)
             signed = st.size_of(load)
-            size = magnitude(named.symbol, np.abs(signed), named.unit)
-            yield Work(named=named, expr=size * rate.expr, sign=np.sign(signed) * rate.sign, rate=rate)
+            way = 1.0 if st.is_told_signed(load) else np.sign(signed)
+            size = magnitude(named.symbol, way * signed, named.unit)
+            yield Work(named=named, expr=size * rate.expr, sign=way * rate.sign, rate=rate)
     for mass in st.loads.masses:
         yield from _mass_works(st, mass.link, mass.centre)
 

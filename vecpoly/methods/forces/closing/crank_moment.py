@@ -122,12 +122,12 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
             f"${named.symbol}$ balances it and is {way.en}:",
         )
     )
+    if not st.preliminary:
+        keep_arm(st, Named("h", "h", "m"), arm)
     value = st.board.compute(named.symbol, size * arm, "N·m")
     _leave(st, load, (at, across), st.named(FRAME, held.link))
     signed = -np.sign(couple) * value.value
     keep_value(st, named, signed, size * arm)
-    if not st.preliminary:
-        keep_arm(st, Named("h", "h", "m"), arm)
     st.balance = signed
 
 

@@ -75,7 +75,7 @@ def _lawful(at: OffPaper, load: Load) -> Acted:
     value = (_motor(at, load, size) if isinstance(size, Motor) else _by_table(at, load, size)).value
     _keep(at, named, value)
     along = complex(np.exp(1j * load.direction)) if isinstance(load, Force) else 1 + 0j
-    pull = {load.name: Pull(size=value, along=along)}
+    pull = {load.name: Pull(size=value, along=along, is_signed=not isinstance(size, Motor))}
     if not float(nominal(value)):
         return Acted(of=load, pulls=pull)
     return Acted(of=load, loads=(replace(load, law=None, size=float(nominal(value))),), pulls=pull)

@@ -12,10 +12,12 @@ from ....plane import Points, Reals
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pull:
-    """Its size by every hand (N along its direction, or N·m), and the direction of a force."""
+    """Its size by every hand (N along its direction, or N·m), and the direction of a force; is_signed: its symbol has
+    been told with its sign, F = −39.3 N."""
 
     size: Reals
     along: Points = 1 + 0j
+    is_signed: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

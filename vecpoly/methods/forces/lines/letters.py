@@ -3,6 +3,8 @@ its arms, the foot of a velocity on it, the pair of forces that stands for a cou
 
 from __future__ import annotations
 
+ARM = "h"  # the letter of arms
+
 
 def bare(symbol: str) -> str:
     """The symbol's letters in one row: F_{I2} → FI2."""
@@ -45,7 +47,7 @@ def slide_couple(symbol: str) -> str:
 
 def foot_letter(tip: str, symbol: str) -> str:
     """The letter of a tip's foot on the direction of a force: b_{F}, s_{2,I2}; d_{F3} of F_3, as d_3 would be
-    a point of link 3."""
+    a point of link 3, and h_{Fs} of F_s, whose arm is h_s."""
     letter, _, digits = tip.partition("_")
     told = subscript(symbol)
-    return f"{letter}_{{{digits + ',' if digits else ''}{bare(symbol) if told.isdigit() else told}}}"
+    return f"{letter}_{{{digits + ',' if digits else ''}{bare(symbol) if told.isdigit() or letter == ARM else told}}}"

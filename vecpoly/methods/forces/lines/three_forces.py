@@ -33,14 +33,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
     st.board.step(_taken(st, held, load, line, by, letter), View.MECHANISM)
     if not (pin := _pin(st, held, load, line)):  # what passes through a pin is not joined first
         draw_resultant(st, link, load)
-    x = st.board.meet(
-        load.line,
-        line,
-        Words(
-            f"构件 {st.mech.number(link)}：载荷与 {st.named(by, link).key} 的作用线",
-            f"link {st.mech.number(link)}: line of the load and line of {st.named(by, link).key}",
-        ),
-    )
+    x = st.desk.at[pin] if pin else _meeting(st, held, load, line, by)
     u, sense = direction_through(st, held.joint, held.parent, link, x)
     lettered = "" if pin else letter
     draw_meeting(
@@ -51,6 +44,13 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
         (lettered, st.named(held.parent, link)),
     )
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense), pin or letter)
+
+
+def _meeting(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> Points:
+    """Where the lines of the load and of the reaction of `by` meet."""
+    number, key = st.mech.number(held.link), st.named(by, held.link).key
+    what = Words(f"构件 {number}：载荷与 {key} 的作用线", f"link {number}: line of the load and line of {key}")
+    return st.board.meet(load.line, line, what)
 
 
 def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter: str) -> Words:
@@ -83,8 +83,10 @@ def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter
 
 
 def _pin(st: Statics, held: Held, load: Resultant, line: Line) -> str:
-    """The letter of the pin in which the lines of the load and of the reaction of known line start both, if they do."""
-    return _pin_at(st, held.link, load.at) if abs(complex(nominal(load.at - line.at))) < NO_LENGTH else ""
+    """The letter of the pin through which the lines of the load and of the reaction of known line both pass, if they
+    do: both start there, or the load does, and the reaction at a contact lies along a normal through that point."""
+    aside = float(nominal(cross(line.along, load.at - line.at)))
+    return _pin_at(st, held.link, load.at) if abs(aside) < NO_LENGTH else ""
 
 
 def _pin_at(st: Statics, link: str, at: Points) -> str:

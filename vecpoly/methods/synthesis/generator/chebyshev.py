@@ -13,6 +13,7 @@ from ....board.paper.marks import Dot, Role
 from ....board.place import Pane
 from ....designs.generator.function_generator import FunctionGenerator
 from ....plane import Line, Reals, foot
+from ....plane.traced import acts_of, traced
 from ....words import Words
 from ..draft import Draft
 
@@ -40,7 +41,7 @@ def precision_pairs(draft: Draft, design: FunctionGenerator) -> tuple[Pair, ...]
             (f"ψ_{n}", np.degrees(pair[1]), "deg"),
         ):
             board.write(stated(magnitude(symbol, value, unit)))
-        pairs.append(pair)
+        pairs.append((pair[0], traced(pair[1], acts_of(share))))  # the formula forgets what it is worked out from
     return tuple(pairs)
 
 

@@ -80,12 +80,16 @@ def _swung(sheet: Sheet, stage: Limits, a: Points, d: Points, c: tuple[Points, P
     places: Places = (c1, pin(draft, letter, c2))
     far = int(float(nominal(np.abs(c2 - a))) > float(nominal(np.abs(c1 - a))))
     crank = (np.abs(places[far] - a) - np.abs(places[1 - far] - a)) / 2
+    long, short = (f"{stage.about}{stage.pin}_{n + 1}" for n in (far, 1 - far))
+    coupler, own = f"{stage.crank}{stage.pin}", f"{stage.about}{stage.crank}"
     board.step(
         Words(
-            f"${stage.about}{stage.pin}$ 在一极限位置为 $l_{{{stage.crank}{stage.pin}}} + "
-            f"l_{{{stage.about}{stage.crank}}}$，在另一极限位置为其差，由此得 ${stage.crank}$。",
-            f"The distance ${stage.about}{stage.pin}$ is $l_{{{stage.crank}{stage.pin}}} + "
-            f"l_{{{stage.about}{stage.crank}}}$ in one limit and their difference in the other: hence ${stage.crank}$.",
+            f"两极限位置上曲柄与连杆共线，${long}$ = ${coupler} + {own}$，${short}$ = ${coupler} − {own}$，故 "
+            f"${own}$ = $({long} − {short})/2$；由此在 ${long}$ 上、${short}$ 的反向延长线上定出 "
+            f"${stage.crank}$ 的两位置。",
+            f"In the limits crank and coupler are in line: ${long}$ = ${coupler} + {own}$ and ${short}$ = "
+            f"${coupler} − {own}$, so that ${own}$ = $({long} − {short})/2$. Lay it off on ${long}$, and on ${short}$ "
+            f"produced beyond ${stage.about}$: both positions of ${stage.crank}$.",
         ),
         SHEET,
     )

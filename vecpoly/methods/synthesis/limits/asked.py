@@ -27,6 +27,12 @@ _SWINGS = Words(
 _SLIDES = Words("$C_{1}C_{2}$ 即滑块的行程 $H$，量得：", "and $C_{1}C_{2}$ is the stroke $H$ of the slider; read them:")
 
 
+_PINS = Words(
+    "$C_1 A$ 的延长线、$AC_2$ 与曲柄销 $B$ 的轨迹圆交于 $B_1$、$B_2$。",
+    " The line $C_1 A$ produced and $AC_2$ cut the circle of the crank pin $B$ at $B_1$ and $B_2$.",
+)
+
+
 @design_method(
     CrankRockerLimits,
     title=Words("曲柄摇杆机构的极限位置和急回特性", "Limit positions and quick return of a crank-rocker"),
@@ -47,7 +53,8 @@ def draw_crank_rocker_limits(draft: Draft, design: CrankRockerLimits) -> None:
             "$A$ with "
             "the radii $(l_BC − l_AB)/μ_l$ and $(l_BC + l_AB)/μ_l$ meet it at $C_1$ and $C_2$: the limits of the "
             "rocker.",
-        ),
+        )
+        + _PINS,
         SHEET,
     )
     crank, coupler, rocker, frame = (draft.on_paper(one) for one in lengths)
@@ -88,7 +95,8 @@ def draw_slider_crank_limits(draft: Draft, design: SliderCrankLimits) -> None:
             "与导路相交于 $C_1$、$C_2$，即滑块的两极限位置。",
             "Choose $μ_l$, draw $A$ and the guide. Arcs about $A$ with the radii $(l_BC − l_AB)/μ_l$ and "
             "$(l_BC + l_AB)/μ_l$ meet the guide at $C_1$ and $C_2$: the limits of the slider.",
-        ),
+        )
+        + _PINS,
         SHEET,
     )
     crank, coupler = (draft.on_paper(one) for one in lengths)

@@ -18,7 +18,7 @@ def agreement(answers: Sequence[Answer]) -> Words:
     found = [
         (names, f"{most}{unit}")
         for names, unit, texts in (
-            (Words("各值", "the values"), " %", [text for text in told if not text.endswith("°")]),
+            (Words("以上各值", "these values"), " %", [text for text in told if not text.endswith("°")]),
             (Words("角度", "the angles"), "°", [text.removesuffix("°") for text in told if text.endswith("°")]),
             (
                 Words("点的位置", "the positions of points"),

@@ -35,8 +35,8 @@ _HOW = {
     ),
     Law.POLYNOMIAL: Words(
         "位移为行程的 10$u$³ − 15$u$⁴ + 6$u$⁵ 倍（$u$ 为转过的角度与该段运动角之比），列表取值",
-        "the displacement is 10$u$³ − 15$u$⁴ + 6$u$⁵ of the stroke, $u$ being the share of the angle of this motion "
-        "that is gone, by a table",
+        "the displacement is the stroke times 10$u$³ − 15$u$⁴ + 6$u$⁵, $u$ being the ratio of the angle turned through "
+        "to that of this motion; its values are tabulated",
     ),
 }
 
