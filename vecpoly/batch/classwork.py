@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -82,20 +82,8 @@ def make_class(
         exercises.append(unchanged(_exercise(order, problem, found), old, order.out))
         courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
     parts, refused = _drawn(order, courses, old, run, told, 0.0 if shard is None else shard[0] / shard[1])
-    sheets = tuple(
-        bare(one, [parts[name][one.number] for name in courses], order.assignment.id, order.assignment.salt)
-        for one in sorted(order.students, key=lambda one: one.number)
-        if one.number not in refused
-    )
-    register = Register(
-        assignment=order.assignment.id,
-        salt=order.assignment.salt,
-        title=order.assignment.title,
-        lang=order.lang,
-        vecpoly=order.version,
-        exercises=tuple(exercises),
-        sheets=sheets,
-    )
+    served = [one for one in order.students if one.number not in refused]
+    register = _register(order, exercises, {one: [parts[name][one.number] for name in courses] for one in served})
     _no_twin_sheets(register)
     shares = [shard] if shard is not None else [(n, pieces) for n in range(pieces)]
     sheets_of = [register.sheets[n::of] for n, of in shares]
@@ -108,6 +96,21 @@ def make_class(
     else:
         _note(order, done, shard, refused, failed)
     return Made(register=done, pilots=pilots, refused=refused | failed)
+
+
+def _register(order: Order, exercises: Sequence[Exercise], parts: Mapping[Student, Sequence[Part]]) -> Register:
+    """The register, of which no page is laid out yet."""
+    of = order.assignment
+    served = sorted(parts, key=lambda one: one.number)
+    return Register(
+        assignment=of.id,
+        salt=of.salt,
+        title=of.title,
+        lang=order.lang,
+        vecpoly=order.version,
+        exercises=tuple(exercises),
+        sheets=tuple(bare(one, parts[one], of.id, of.salt) for one in served),
+    )
 
 
 def _note(

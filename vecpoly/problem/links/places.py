@@ -35,13 +35,8 @@ def place(draft: Draft, point: str, data: Value) -> None:
             code="missing",
         )
     if point in draft.points:
-        raise FaultError(
-            Words(
-                f"点 {point} 已在构件 {draft.name} 上；请删去其中一处",
-                f"point {point} is already on link {draft.name}; leave out one of the two",
-            ),
-            code="contradiction",
-        )
+        twice = Words(f"点 {point} 已在构件 {draft.name} 上", f"point {point} is already on link {draft.name}")
+        raise FaultError(twice + Words("；请删去其中一处", "; leave out one of the two"), code="contradiction")
     lengths = [key for key in data if PLACED.fullmatch(key)]
     for key in data:
         if key not in (*_KEYS, *lengths):
