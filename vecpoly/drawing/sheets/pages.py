@@ -112,8 +112,15 @@ class Paging(Generic[F]):
         what it lacks of being filled among several (in hundredths), an unnatural break before it, and crowding."""
         torn = sum(start <= j < end for _, j in self.pairs) - layout.together
         lacking = max(0.0, SPARSE - covered(self.drawn[start:end], layout)) if end - start < len(self.drawn) else 0.0
-        natural = start == 0 or (self.drawn[start].view.paired and not self.drawn[start - 1].view.paired)
-        return 1 + torn, torn, round(100 * lacking), int(not natural), int(layout.white < CROWDED)
+        return 1 + torn, torn, round(100 * lacking), int(not self._natural(start)), int(layout.white < CROWDED)
+
+    def _natural(self, start: int) -> bool:
+        """Whether a page may well begin so: with the first free body, or with one after a polygon that belongs to none,
+        as that without friction, which has room beside the mechanism."""
+        if start == 0:
+            return True
+        before, lone = self.drawn[start - 1].view, (start - 2, start - 1) not in self.pairs
+        return self.drawn[start].view.paired and (not before.paired or (before.beside is not None and lone))
 
 
 def pairs_of(drawn: Sequence[Sized]) -> frozenset[Pair]:
