@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from cmath import rect
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
+from math import pi
 
 import numpy as np
 import pytest
@@ -12,11 +14,11 @@ import pytest
 from tests.drawn_library import drafted
 from vecpoly import load
 from vecpoly.board.construction import Construction, Figure, Scale, View
-from vecpoly.board.paper.marks import Arc, Dot, Mark, Point, Role, Vector
+from vecpoly.board.paper.marks import Arc, Dot, FrictionCircle, Mark, Point, Role, Segment, Vector
 from vecpoly.board.ruler import READABLE
 from vecpoly.drawing.details.apart import all_detailed, detailed, is_detail, numeral
 from vecpoly.drawing.details.knot import FACTORS, FULL, HALF, LEAST, LONG, largest
-from vecpoly.drawing.details.knots import knots
+from vecpoly.drawing.details.knots import MOST, knots
 from vecpoly.drawing.details.room import CELL, WHITE, Grow, Room, along, reach_of
 from vecpoly.drawing.scene import Fill, Rect, Scene, Stroke
 from vecpoly.drawing.sheets.nested import nested
@@ -164,3 +166,16 @@ def test_a_detail_is_no_larger_than_it_must_be(short: float) -> None:
 
 def test_a_detail_of_a_small_figure_is_small() -> None:
     assert largest(30.0) == LEAST and largest(64.0) == HALF * 64.0 and largest(200.0) == FULL
+
+
+def test_of_many_small_friction_circles_those_that_most_lines_touch_are_drawn_apart() -> None:
+    """Five pins of a chain; at the last two lines of action touch the circle, at the others one."""
+    pins, radius = [complex(45 * n, 20 * (n % 2)) for n in range(5)], 1.0
+    marks: list[Mark] = [Segment(a=a, b=b, role=Role.LINK) for a, b in pairwise(pins)]
+    for n, (pin, letter) in enumerate(zip(pins, "ABCDE", strict=True)):
+        marks += [Point(at=pin, label=letter, dot=Dot.JOINT), FrictionCircle(centre=pin, radius=radius)]
+        for k, turn in enumerate((0.4, 1.9)[: 1 + (n == len(pins) - 1)]):
+            way, touch = rect(1.0, turn), pin + rect(radius, turn + pi / 2)
+            marks.append(Segment(a=touch - 15 * way, b=touch + 15 * way, role=Role.DIRECTION, key=f"R_{n}{k}"))
+    shown = knots(replace(polygon(90.0, view=View.MECHANISM), marks=tuple(marks)))
+    assert len(shown) == MOST and shown[0].holds(pins[-1])

@@ -39,6 +39,20 @@ def test_where_letters_crowd_neither_line_of_a_meeting_has_its_name(around: int,
     assert _named(_meeting(around)) == named
 
 
+@pytest.mark.parametrize(
+    ("name", "view", "named"),
+    [
+        ("excavator-boom", View.VELOCITY, {"⊥AC", "⊥DC"}),
+        ("boom-thrust", View.VELOCITY, {"⊥AC", "⊥DC"}),
+        ("3-6", View.ACCELERATION, {"⊥BC", "⊥DC"}),
+    ],
+)
+def test_a_name_on_a_long_leader_that_is_in_nobodys_way_stays_and_so_does_the_other(
+    name: str, view: View, named: set[str]
+) -> None:
+    assert _named(drawn(name).figures(view)[0]) == named
+
+
 def test_letters_go_no_farther_off_where_it_is_enough_to_leave_names_of_directions_out() -> None:
     assert not any(one.want.farther for one in drawing(_meeting(20)).labels)
     assert any(one.want.farther for one in drawing(_meeting(28)).labels), "there it is not enough"

@@ -48,12 +48,11 @@ def _tells_too_much(label: Placed, placed: Collection[Placed]) -> bool:
 
 
 def _spared(placed: Mapping[int, Placed]) -> frozenset[int]:
-    """The names of directions of a polygon that stand on something, far off, or in a crowd; with each that of the line
-    which it meets, for a point found by two lines tells of both, or of none."""
+    """The names of directions of a polygon that stand on something, or in a crowd; with each that of the line which it
+    meets, for a point found by two lines tells of both, or of none. One on a long leader stays: it is in nobody's
+    way."""
     names = {i: one for i, one in placed.items() if one.want.thing is Thing.DIRECTION}
-    crowding = [
-        one for one in names.values() if one.cost > BAD or _is_far(one) or _stands_in_crowd(one, placed.values())
-    ]
+    crowding = [one for one in names.values() if one.cost > BAD or _stands_in_crowd(one, placed.values())]
     return frozenset(i for i, one in names.items() if any(_meet(one, other) for other in crowding))
 
 

@@ -35,6 +35,19 @@ class Paper(Protocol):
         which the figures of a sketch, drawn at these scales, fill as few sheets as will do."""
         ...
 
+    def exchange(
+        self,
+        figures: Sequence[Figure],
+        sketched: Mapping[Place, float],
+        given: Mapping[View, float],
+        chosen: Mapping[Place, float],
+        measured: Sequence[tuple[complex, complex]],
+    ) -> Mapping[Place, float]:
+        """These round scales of the figures of a sketch, or others for as many sheets at which what is read is larger.
+
+        measured: the ends of lengths that are read off it."""
+        ...
+
 
 class Drawing(Protocol):
     """How problems of one sort are drawn. turning: units whose sign is a sense of turning."""

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import lru_cache
 
+from ..board.acts.inkless import Measure
 from ..board.board import Scratch
 from ..board.construction import Figure, Reading, Scale, View
 from ..board.hand import hand
@@ -84,9 +85,12 @@ def _chosen(problem: Problem, paper: Paper | None) -> tuple[Scales, Desk | None]
     while chosen[View.FORCE].value < guess[View.FORCE] / FAR and not given[View.FORCE]:  # a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
         chosen, sketch = _fitted(problem, guess, paper)
-    if paper is not None and _rough(guess, chosen):
-        chosen, sketch = _fitted(problem, {view: chosen[view].value for view in guess}, paper)
-    return chosen, sketch
+    if paper is None:
+        return chosen, sketch
+    if _rough(guess, chosen):
+        guess = {view: chosen[view].value for view in guess}
+        chosen, sketch = _fitted(problem, guess, paper)
+    return _exchanged(problem, guess, chosen, sketch, paper), sketch
 
 
 def _rough(guess: Mapping[View, float], chosen: Mapping[Place, Scale]) -> bool:
@@ -115,16 +119,34 @@ def _fitted(problem: Problem, guess: Mapping[View, float], paper: Paper | None) 
     and the sketch."""
     sketch = sketch_of(problem, {v: Scale.of(v, value) for v, value in guess.items()})
     given = {view: problem.scales.of(view.mu) for view in guess}
-    figures = [
-        replace(f, marks=lasting(f.marks)) for f in sketch.board.figures() if f.view is not View.FORCE or _acts(f)
-    ]
-    board, values = sketch.board, _filling(figures, guess)
-    if paper is not None:
-        sketched: dict[Place, float] = {pane: board.scales[pane].value for pane in board.composed}
-        values = paper.compose(figures, sketched | dict(guess.items()), _known(given))
+    figures, board = _lasting(sketch), sketch.board
+    values = _filling(figures, guess) if paper is None else paper.compose(figures, _at(sketch, guess), _known(given))
     chosen: Scales = {view: Scale.of(view, given[view] or values.get(view, value)) for view, value in guess.items()}
     chosen |= {pane: replace(board.scales[pane], value=values[pane]) for pane in board.composed if pane in values}
     return chosen | {View.BODY: chosen[View.MECHANISM]}, sketch
+
+
+def _exchanged(
+    problem: Problem, guess: Mapping[View, float], chosen: Mapping[Place, Scale], sketch: Desk, paper: Paper
+) -> Scales:
+    """These scales, or others for as many sheets at which what is read off this sketch is larger."""
+    given = _known({view: problem.scales.of(view.mu) for view in guess})
+    told = {place: scale.value for place, scale in chosen.items()}
+    measured = [(act.a, act.b) for act in sketch.board.acts if isinstance(act, Measure)]
+    values = paper.exchange(_lasting(sketch), _at(sketch, guess), given, told, measured)
+    made = {place: replace(scale, value=values.get(place, scale.value)) for place, scale in chosen.items()}
+    return made | {View.BODY: replace(made[View.BODY], value=made[View.MECHANISM].value)}
+
+
+def _lasting(sketch: Desk) -> list[Figure]:
+    """The figures of a sketch for which scales are chosen."""
+    shown = (one for one in sketch.board.figures() if one.view is not View.FORCE or _acts(one))
+    return [replace(one, marks=lasting(one.marks)) for one in shown]
+
+
+def _at(sketch: Desk, guess: Mapping[View, float]) -> dict[Place, float]:
+    """The scales at which its figures are drawn."""
+    return {pane: sketch.board.scales[pane].value for pane in sketch.board.composed} | dict(guess.items())
 
 
 def _known(given: Mapping[View, float | None]) -> dict[View, float]:

@@ -20,8 +20,8 @@ class Sketched:
     what stands round it at any scale. of: the kind whose scale it follows, itself where it has a scale of its own;
     none where its size has nothing to do with scales. letters: how many labels it has, which ask for room.
     spare: the white beside lines that are narrower than their title (mm), into which they grow. short: the shortest
-    vector that is laid off or read in it (mm); linked: how large the mechanism itself stands in it (mm); 0 where there
-    is none. scaled: whether its lengths mean something."""
+    vector that is laid off or read in it (mm); arm: the shortest line that is measured on a mechanism; linked: how
+    large the mechanism itself stands in it; 0 where there is none. scaled: whether its lengths mean something."""
 
     view: View
     name: str = ""
@@ -32,6 +32,7 @@ class Sketched:
     letters: int = 0
     spare: float = 0.0
     short: float = 0.0
+    arm: float = 0.0
     linked: float = 0.0
     scaled: bool = True
 

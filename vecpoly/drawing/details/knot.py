@@ -44,13 +44,14 @@ class Knot:
 @dataclass(frozen=True, slots=True)
 class Trouble:
     """Two places that are too near: the ends of a short vector, or two letters; crossed: letters about which so many
-    lines end that they hide each other; rim: the ends of a diameter of a circle."""
+    lines end that they hide each other; rim: the ends of a diameter of a circle, which so many lines touch."""
 
     a: complex
     b: complex
     vector: bool
     crossed: bool = False
     rim: bool = False
+    touched: int = 0
 
     @property
     def length(self) -> float:
@@ -60,7 +61,7 @@ class Trouble:
     @property
     def worth(self) -> int:
         """How much it is to draw them apart."""
-        return SEEN if self.vector or self.crossed else 1
+        return SEEN + self.touched if self.vector or self.crossed else 1
 
     def solved(self, factor: float, *, well: bool = False) -> bool:
         """Whether they are far enough apart so many times larger."""

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from cmath import phase
 from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
+from math import pi
 
 import numpy as np
 
@@ -26,15 +28,16 @@ SPECK = 0.15  # mm: a vector shorter than this is none at 20:1 either
 ROUND = 4.0  # mm: on which side a line of action touches a friction circle that is less across is hardly seen
 APART = 0.05  # mm: letters at one place share a label
 _LETTER = re.compile(r"[A-Za-z][′'^{}]*")
+RIM = 0.2  # mm from a rim that a line is drawn that touches it
 MOST = 3  # knots of a figure
 
 
 @dataclass(frozen=True, slots=True)
 class Crowd:
     """What of a figure may be too near: where its letters belong, the ends of its vectors, how far it is across, mm;
-    circles: the ends of a diameter of each friction circle; images: the corners of each image of a link; ends: of all
-    lines of a polygon; found: the ends of vectors that are read; own: places of letters that are of no numbered series,
-    where the neighbours would tell which is which."""
+    circles: the ends of a diameter of each friction circle, and touched: how many lines of action touch it; images: the
+    corners of each image of a link; ends: of all lines of a polygon; found: the ends of vectors that are read; own:
+    places of letters that are of no numbered series, where the neighbours would tell which is which."""
 
     places: tuple[complex, ...]
     vectors: tuple[tuple[complex, complex], ...]
@@ -44,6 +47,7 @@ class Crowd:
     images: tuple[tuple[complex, ...], ...] = ()
     ends: tuple[complex, ...] = ()
     found: tuple[tuple[complex, complex], ...] = ()
+    touched: tuple[int, ...] = ()
 
     @classmethod
     def of(cls, figure: Figure) -> Crowd:
@@ -59,8 +63,9 @@ class Crowd:
         across = max(extent(figured(figure.marks)))
         places = _distinct(m.at for m in lettered)
         images = dict.fromkeys(m.points for m in figure.marks if isinstance(m, ImageOf) and len(m.points) > 2)
-        lines = _ends(figure)
-        return cls(tuple(places), ends, across, _circles(figure), tuple(own), tuple(images), lines, found)
+        lines, circles = _ends(figure), _circles(figure)
+        touched = tuple(_touching(figure, *circle) for circle in circles)
+        return cls(tuple(places), ends, across, circles, tuple(own), tuple(images), lines, found, touched)
 
     def times(self, factor: float) -> Crowd:
         """As many times larger."""
@@ -68,13 +73,13 @@ class Crowd:
         ends, circles, found = (tuple((a * factor, b * factor) for a, b in some) for some in pairs)
         places, own, lines = (tuple(at * factor for at in some) for some in (self.places, self.own, self.ends))
         images = tuple(tuple(at * factor for at in corners) for corners in self.images)
-        return Crowd(places, ends, self.across * factor, circles, own, images, lines, found)
+        return Crowd(places, ends, self.across * factor, circles, own, images, lines, found, self.touched)
 
     @property
     def knots(self) -> tuple[Knot, ...]:
         """The places that are to be drawn apart, the worst first: circles none of which overlap."""
         faint = [one for one in _short(self.found, FAINT) if abs(one.b - one.a) >= READABLE]
-        small = (*_short(self.vectors, READABLE), *faint, *_short(self.circles, ROUND, rim=True))
+        small = (*_short(self.vectors, READABLE), *faint, *self._small_circles())
         left, found = _snapped([*_crowds(self.places), *_twins(self.own), *small]), list[Knot]()
         while left and len(found) < MOST:
             best = Nest.of(left).best(self.across, found)
@@ -85,6 +90,14 @@ class Crowd:
         if len(found) <= OTHERS:
             found += self._hidden(found)
         return (*found, *_of_images(self.images, self.across, found))[:MOST]
+
+    def _small_circles(self) -> Iterator[Trouble]:
+        """Those on which one does not see on which side a line touches, worth the more the more lines touch them."""
+        most = dict[frozenset[complex], int]()
+        for ends, count in zip(self.circles, self.touched, strict=True):
+            most[frozenset(ends)] = max(count, most.get(frozenset(ends), 0))
+        for one in _short(self.circles, ROUND, rim=True):
+            yield replace(one, touched=most[frozenset((one.a, one.b))])
 
     def _hidden(self, found: Sequence[Knot]) -> Iterator[Knot]:
         """Where most lines hide letters."""
@@ -137,6 +150,25 @@ def _circles(figure: Figure) -> tuple[tuple[complex, complex], ...]:
     """A diameter of each friction circle."""
     circles = (mark for mark in figure.marks if isinstance(mark, FrictionCircle))
     return tuple((mark.centre - mark.radius, mark.centre + mark.radius) for mark in circles)
+
+
+def _touching(figure: Figure, a: complex, b: complex) -> int:
+    """How many lines of action pass a friction circle, given by a diameter, at its rim."""
+    centre, radius = (a + b) / 2, abs(b - a) / 2
+    lines = (mark for mark in figure.marks if isinstance(mark, Segment) and mark.role is Role.DIRECTION and mark.key)
+    return len({round(_turn(line), 2) for line in lines if abs(_away(line, centre) - radius) < RIM})
+
+
+def _turn(line: Segment) -> float:
+    """In which direction a line runs, to and fro."""
+    return phase(line.b - line.a) % pi
+
+
+def _away(line: Segment, at: complex) -> float:
+    """How far a point lies from a line, as far as it is drawn."""
+    along = line.b - line.a
+    part = ((at - line.a) * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(at - line.a - min(max(part, 0.0), 1.0) * along)
 
 
 def _crowds(places: Sequence[complex]) -> list[Trouble]:

@@ -14,7 +14,7 @@ from ..details.knots import MOST
 from ..figure import Bare, caption_items
 from ..scene import Rect, Scene
 from .detailing import Whole, arrangements, loose
-from .lettering import lettered
+from .lettering import labelled, lettered
 from .pages import Page, fullness
 from .paging import Drawn, best_paged, paged
 from .space import SPARSE
@@ -108,8 +108,9 @@ def _within(pages: Sequence[Page[Drawn]] | None, sheets: int) -> bool:
 def _unlettered(figure: Figure, lang: Lang) -> Drawn:
     """The lines of a figure, its title and its scale, with the room that its letters will take about."""
     lines = Scene.of(Bare.of(figure, lang).items)
-    scene = lines + Scene.of(caption_items(figure, lines.extents, lang))
-    across, up = lettered(figure)
+    caption = Scene.of(caption_items(figure, lines.extents, lang))
+    scene, (_, up) = lines + caption, lettered(figure)
+    across = max(labelled(figure)[0], caption.extents.width)  # its title is known, in this language
     at = scene.extents.centre - complex(across, up) / 2
     room = Rect(at.real, at.imag, at.real + across, at.imag + up)
     return Drawn(figure.view, figure.name, replace(scene, extents=room), figure=figure)

@@ -25,13 +25,13 @@ RESERVE = 2.0  # mm
 
 def lettered(figure: Figure) -> Size:
     """Width and height of a figure with its labels, title and scale (mm), as it is drawn."""
-    (wide, high), title = _bare(figure), title_width(figure)
+    (wide, high), title = labelled(figure), title_width(figure)
     return max(wide, min(title, FOLDED)), high + UNDER + (HIGH if title > FOLDED else 0.0)
 
 
 def beside_title(figure: Figure) -> float:
     """The white (mm) in the width of a figure that is narrower than its title."""
-    return max(min(title_width(figure), FOLDED) - _bare(figure)[0], 0.0)
+    return max(min(title_width(figure), FOLDED) - labelled(figure)[0], 0.0)
 
 
 def title_width(figure: Figure) -> float:
@@ -40,7 +40,7 @@ def title_width(figure: Figure) -> float:
     return max(CHINESE * zh, LATIN * en, SHORTEST)
 
 
-def _bare(figure: Figure) -> Size:
+def labelled(figure: Figure) -> Size:
     """Width and height with the labels alone."""
     low, high = bounds(figure.marks)
     left, right, foot, head = BARE, BARE, BARE, BARE

@@ -8,7 +8,7 @@ from typing import Generic, Protocol, TypeVar
 from ...board.construction import View
 from .packing import Layout, flat, packed, slicings
 from .slicing import Pair, Size
-from .space import HIGHEST, LARGEST, PLATE, SPARSE
+from .space import CLEAR, HIGHEST, LARGEST, LEGEND, PLATE, SPARSE
 
 CROWDED = 6.5  # mm of white below which a page is full to the brim
 LONGEST = 12  # figures on a page
@@ -82,6 +82,7 @@ class Paging(Generic[F]):
         self.sizes = [one.size for one in self.drawn]
         self.pairs = pairs_of(self.drawn)
         self._slicings = slicings(self.sizes, self.page, self.pairs)
+        self._over_legend = slicings(self.sizes, (page[0], page[1] - LEGEND - CLEAR), self.pairs)
 
     def best(self) -> tuple[Cost, list[Page[F]]] | None:
         """The pages of least cost, of equal costs the fullest first; None where a figure fits no page."""
@@ -112,8 +113,27 @@ class Paging(Generic[F]):
         what it lacks of being filled among several (in hundredths), an unnatural break before it, and crowding."""
         torn = sum(start <= j < end for _, j in self.pairs) - layout.together
         lacking = max(0.0, SPARSE - covered(self.drawn[start:end], layout)) if end - start < len(self.drawn) else 0.0
-        natural = start == 0 or (self.drawn[start].view.paired and not self.drawn[start - 1].view.paired)
-        return 1 + torn, torn, round(100 * lacking), int(not natural), int(layout.white < CROWDED)
+        unnatural = int(not self._natural(start) or self._crammed(start, end))
+        return 1 + torn, torn, round(100 * lacking), unnatural, int(layout.white < CROWDED)
+
+    def _natural(self, start: int) -> bool:
+        """Whether a page may well begin so: with the first free body, or with one after a polygon that belongs to none,
+        as that without friction, which has room beside the mechanism."""
+        if start == 0:
+            return True
+        before = self.drawn[start - 1].view
+        return self.drawn[start].view.paired and (not before.paired or self._is_lone(start - 1))
+
+    def _is_lone(self, n: int) -> bool:
+        """Whether this is the polygon of no free body."""
+        return self.drawn[n].view.beside is not None and (n - 1, n) not in self.pairs
+
+    def _crammed(self, start: int, end: int) -> bool:
+        """Whether a page ends with such a polygon at the cost of the room for its legend."""
+        if end == len(self.drawn) or not self._is_lone(end - 1) or end - start == 1:
+            return False
+        lower = self.page[0], self.page[1] - LEGEND - CLEAR
+        return all(packed(one, start, end, self.sizes, lower) is None for one in self._over_legend)
 
 
 def pairs_of(drawn: Sequence[Sized]) -> frozenset[Pair]:

@@ -8,20 +8,21 @@ from math import isclose
 
 from ...board.construction import Figure, View
 from ...board.paper.extent import extent, figured
-from ...board.paper.marks import Disc, Dot, FixedGuide, GearMark, LinkNumber, Mark, Point, TurnArrow, Vector
+from ...board.paper.marks import Disc, Dot, FixedGuide, GearMark, LinkNumber, Mark, Point, Segment, TurnArrow, Vector
 from ...board.paper.scales import Sketched
 from ...board.place import Pane, Place
-from ...foundation.slotted import dataclass
+from ...foundation.slotted import dataclass, replace
 from ...foundation.stock import ANY_A4, Paper
 from ..order import reading_order
 from ..parted import parted
 from .lettering import beside_title, lettered
-from .scales.banded import over_legend
-from .scales.crowding import crowded
+from .scales.banded import over_legend, weighed
+from .scales.crowding import Crowded, crowded
 from .slicing import Size
 from .space import room
 
 TINY = 0.025  # of its figure: at the largest scale such a vector has its 3 mm to be measured, a shorter one has not
+SAME = 0.05  # mm between points that are one
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,10 +40,31 @@ class DrawingPaper:
     ) -> Mapping[Place, float]:
         """Round scales for the kinds of figure that have none given, and for panes with a scale of their own, with
         which the figures of a sketch, drawn at these scales, fill as few sheets as will do, with room for details."""
-        ordered = parted(reading_order(figures))
-        bare = [_sketch(one, sketched) for one in ordered]
-        detailed = [crowded(one, figure) for one, figure in zip(bare, ordered, strict=True)]
+        detailed, bare = _planned(figures, sketched)
         return over_legend(detailed, bare, given, self.on)
+
+    def exchange(
+        self,
+        figures: Sequence[Figure],
+        sketched: Mapping[Place, float],
+        given: Mapping[View, float],
+        chosen: Mapping[Place, float],
+        measured: Sequence[tuple[complex, complex]],
+    ) -> Mapping[Place, float]:
+        """These round scales of the figures of a sketch, or others for as many sheets at which what is read is larger.
+
+        measured: the ends of lengths that are read off it."""
+        detailed, _ = _planned(figures, sketched)
+        arms = [_arm(figure, measured) for figure in parted(reading_order(figures))]
+        read = [replace(one, arm=arm) for one, arm in zip(detailed, arms, strict=True)]
+        return weighed(read, chosen, given, self.on)
+
+
+def _planned(figures: Sequence[Figure], sketched: Mapping[Place, float]) -> tuple[list[Crowded], list[Sketched]]:
+    """The figures of a sketch with their details, and without."""
+    ordered = parted(reading_order(figures))
+    bare = [_sketch(one, sketched) for one in ordered]
+    return [crowded(one, figure) for one, figure in zip(bare, ordered, strict=True)], bare
 
 
 def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
@@ -64,6 +86,21 @@ def _sketch(figure: Figure, scales: Mapping[Place, float]) -> Sketched:
         linked=linked(figure) if figure.scale.symbol else 0.0,  # parts of a sketch may be small
         scaled=bool(figure.scale.symbol),
     )
+
+
+def _arm(figure: Figure, measured: Sequence[tuple[complex, complex]]) -> float:
+    """The shortest line on a mechanism that is measured, as the arm of a couple is; 0 where it has none."""
+    if figure.view is not View.MECHANISM:
+        return 0.0
+    lines = ((mark.a, mark.b) for mark in figure.marks if isinstance(mark, Segment))
+    arms = (abs(a - b) for a, b in lines if any(_is_one((a, b), ends) for ends in measured))
+    return min((arm for arm in arms if arm > SAME), default=0.0)
+
+
+def _is_one(line: tuple[complex, complex], ends: tuple[complex, complex]) -> bool:
+    """Whether these are the ends of the line."""
+    (a, b), (c, d) = line, ends
+    return min(abs(a - c) + abs(b - d), abs(a - d) + abs(b - c)) < SAME
 
 
 def linked(figure: Figure) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ....board.construction import View
 from ....board.paper.scales import Sketched
+from ....board.place import Place
 from ....foundation.slotted import replace
 from ....foundation.stock import Paper
 from ..space import LEGEND, rooms
@@ -13,6 +14,7 @@ from .composing import composed
 from .composition import Composing, Scales
 from .crowding import Crowded
 from .easing import CLOSE, eased
+from .exchanging import exchanged
 from .refilling import refilled
 
 COARSER, FILLED = 1.6, 0.8  # times: no figure is made smaller than this for the sake of a legend; of a sheet
@@ -40,6 +42,20 @@ def over_legend(figures: Sequence[Crowded], bare: Sequence[Sketched], given: Map
     ways = zip(_composings(slim, on, kept), _composings(_slimmer(figures, HALF), on), strict=True)
     found = refilled([*ways], there | best, set(best))
     return {kind: found[kind] for kind in best}
+
+
+def weighed(
+    figures: Sequence[Crowded], chosen: Mapping[Place, float], given: Mapping[View, float], on: Paper
+) -> Scales:
+    """These scales, or others for as many sheets at which what is read is clearly larger."""
+    there = {one.of: one.scale for one in figures if one.of is not None} | dict(given) | dict(chosen)
+    kinds = {one.of for one in figures if one.of is not None and max(one.size) > 0 and one.of not in given}
+    slim = _slimmer(figures) if len(figures) >= MANY else figures
+    sheets = _needed(_least(figures), there, on, 0.0)
+    kept = LEGEND if _needed(slim, there, on, LEGEND) == sheets else 0.0
+    plans = (_composings(figures, on), _composings(slim, on, kept), _composings(_least(figures), on))
+    found = exchanged([*zip(*plans, strict=True)], there, kinds) if kinds else there
+    return {kind: found[kind] for kind in chosen if kind in found}
 
 
 def _chosen(

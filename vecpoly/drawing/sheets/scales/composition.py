@@ -13,7 +13,7 @@ from ....board.paper.scales import Sketched, round_up
 from ....board.place import Pane, Place, view_of
 from ....foundation.slotted import dataclass
 from ..packing import Layout, flat, inner, pack, padded
-from ..pages import BANDS, INKED, Paging, covered, trimmed
+from ..pages import BANDS, INKED, Page, Paging, covered, trimmed
 from ..slicing import Pair, Size, Slicing
 from ..space import CLEAR, HIGHEST, PLATE, SPARSE
 
@@ -118,9 +118,14 @@ class Composing:
 
     def fullness(self, scales: Mapping[Place, float]) -> float:
         """What they take of the emptiest of their sheets; a mechanism alone of the plate that its sheet may become."""
+        found = self.planned(scales)
+        return 0.0 if found is None else min(starmap(_covered, found))
+
+    def planned(self, scales: Mapping[Place, float]) -> list[Page[_Planned]] | None:
+        """Their pages; None where one fits none."""
         sizes = zip(self.figures, self.sizes(scales), strict=True)
         found = Paging([_Planned(one.view, one.name, size) for one, size in sizes], self.page).best()
-        return 0.0 if found is None else min(starmap(_covered, found[1]))
+        return None if found is None else found[1]
 
     def worth(self, scales: Mapping[Place, float]) -> tuple[int, bool, float]:
         """The more, the better: few sheets, on which figures are not lost, and large figures."""
