@@ -21,10 +21,11 @@ class BlockTable(DataTable):
     blocks = 1
 
     @classmethod
-    def of(cls, head: Sequence[str], items: Items, blocks: int, align: str, lang: Lang) -> Self:
-        """The table of this list, with a blank column between two blocks. align: of the columns of one."""
+    def of(cls, head: Sequence[str], items: Items, blocks: int, align: str, lang: Lang, **said: Any) -> Self:
+        """The table of this list, with a blank column between two blocks. align: of the columns of one; said: what else
+        a table is told."""
         heads = [*head, *["", *head] * (blocks - 1)]
-        made = cls(heads, in_blocks(items, blocks), None, "l".join([align] * blocks), lang=lang)
+        made = cls(heads, in_blocks(items, blocks), None, "l".join([align] * blocks), lang=lang, **said)
         made.items, made.blocks = items, blocks
         return made
 
@@ -55,7 +56,7 @@ def _listing(part: BlockTable, items: Items, blocks: int) -> BlockTable:
 def in_blocks(items: Items, blocks: int) -> list[list[str]]:
     """The rows of the whole: the list fills one block after another, all as high as the first but the last ones."""
     high = -(-len(items) // blocks)
-    blank = [""] * len(items[0])
+    blank = [""] * max(map(len, items), default=0)
     columns = [[*items[at * high : (at + 1) * high]] for at in range(blocks)]
     rows = [[[*column[n]] if n < len(column) else blank for column in columns] for n in range(high)]
     return [[cell for n, block in enumerate(row) for cell in (*[""][: n > 0], *block)] for row in rows]
