@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TypeGuard
 
 from ...board.construction import Figure, View
-from ...board.paper.marks import Mark, Point, Role, Vector
+from ...board.paper.marks import Point, Role, Vector
 from ...board.paper.tones import key_of, whose
 from ...foundation.patterns import pattern
 from ...foundation.slotted import replace
@@ -23,7 +22,8 @@ _ON = 0.05  # mm: an image no farther from a tip is on it
 def key_of_vectors(figures: Sequence[Figure], lang: Lang) -> Iterator[Entry]:
     """An entry for each motion that the polygons of a sheet show in an ink of its own, in the order in which they are
     drawn: v_CB, a_CB, whose parts have its ink."""
-    points = {one.label for figure in figures for one in figure.marks if _is_of_mechanism(figure, one)}
+    diagrams = (figure for figure in figures if figure.view is View.MECHANISM)
+    points = {one.label for figure in diagrams for one in figure.marks if isinstance(one, Point)}
     found: dict[str, list[tuple[Figure, Vector]]] = {}
     for figure in figures:
         for mark in _unnamed(figure):
@@ -40,10 +40,6 @@ def _unnamed(figure: Figure) -> Iterator[Vector]:
     if figure.view.images and figure.tones:
         vectors = (mark for mark in figure.marks if isinstance(mark, Vector) and not mark.label)
         yield from (mark for mark in vectors if abs(mark.b - mark.a) > _SHORT and whose(key_of(mark)) in figure.tones)
-
-
-def _is_of_mechanism(figure: Figure, mark: Mark) -> TypeGuard[Point]:
-    return figure.view is View.MECHANISM and isinstance(mark, Point)
 
 
 def _shared(figure: Figure, mark: Vector, points: set[str]) -> Iterator[str]:
