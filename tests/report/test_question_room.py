@@ -60,7 +60,8 @@ def sheet(name: str, lang: Lang) -> Sheet:
     return Sheet(squares=squares, reach=reach)
 
 
-SHEETS = few(tuple((name, lang) for name in IDS for lang in ("zh", "en")), 37)
+_TONGUES: tuple[Lang, ...] = ("zh", "en")
+SHEETS = few(tuple((name, lang) for name in IDS for lang in _TONGUES), 37)
 
 
 @each(SHEETS)
