@@ -8,6 +8,7 @@ from typing import Any
 
 from vecpoly.report.content import Objects
 from vecpoly.report.course.numbering import Press
+from vecpoly.report.flow.results.blocked import BlockTable
 from vecpoly.words import Words
 
 
@@ -27,9 +28,10 @@ class Kept(Press):
 
     made: list[Made] = field(default_factory=list)
 
-    def table(self, title: Any, header: Any, rows: Any, align: str, **style: Any) -> str:
+    def table(self, title: Any, header: Any, rows: Any, align: str, *, style: Any = None, blocks: int = 1) -> str:
         assert len(align) == len(header) and {len(row) for row in rows} == {len(header)}
-        self.made.append(Made(title, header, rows, style.get("style")))
+        wide = BlockTable.of(header, rows, blocks, align, self.lang)
+        self.made.append(Made(title, wide.header, wide.rows, style))
         return "made"
 
 

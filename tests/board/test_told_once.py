@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 import vecpoly
@@ -83,3 +85,15 @@ def test_the_gate_says_whether_there_is_a_coriolis_term() -> None:
     from vecpoly.report.content import conclusions
 
     assert any("Coriolis acceleration" in told and "exists" in told for told in conclusions(_solved("lift-gate"), "en"))
+
+
+@pytest.mark.parametrize("name", ["rack-lift", "pinion-drives-rack", "travel-doubler"])
+def test_every_letter_on_the_polygons_of_a_rack_is_told_in_a_step(name: str) -> None:
+    """p_2 stood beside h in the velocity polygon, and no step spoke of it."""
+    solution = _solved(name)
+    for view in (View.VELOCITY, View.ACCELERATION):
+        if solution.construction.figure(view) is None:
+            continue
+        told = {part for step in solution.construction.steps for part in re.findall(r"\$([^$]+)\$", step.words.en)}
+        own = {letter for letter in _letters(solution, view) if re.match("[ehp]_?\\d?\\^?′?$", letter)}
+        assert own and own <= told | {"p", "p′"}

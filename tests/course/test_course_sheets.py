@@ -5,12 +5,14 @@ from __future__ import annotations
 import pytest
 
 from tests.laws import few
+from tests.presses import press
 from tests.studies import studied
 from vecpoly.drawing.legend.legend import TITLE, entries
 from vecpoly.drawing.scene import Item, TextBox
 from vecpoly.drawing.sheets.boxes.results import TITLE as RESULTS
 from vecpoly.drawing.sheets.sheet import Sheet
 from vecpoly.report.course.results.drawings import chosen
+from vecpoly.report.course.results.elsewhere import own_steps
 from vecpoly.typeset.box import Glyphs
 
 SOME = ["3-9", "ex10", "swinging-block-offset-rod", "4-6"]
@@ -64,3 +66,13 @@ def test_what_is_constructed_on_a_mechanism_is_drawn_no_smaller_to_save_a_sheet(
             figure.scale.value for figure in one.solution.construction.figures if figure.name and figure.scale.symbol
         ]
         assert min(own, default=0.0) <= 1.3 * given.solution.construction.figures[0].scale.value
+
+
+def test_a_position_that_needs_a_step_of_its_own_tells_it() -> None:
+    """ω_2 of a four-bar was read off a centre far off its sheet; "the others are drawn in the same way"."""
+    it = studied("D-1")
+    given, *others = chosen(it, "en")
+    there = [(it.where(one.phi), one.solution) for one in others]
+    (own,) = own_steps(given.solution, there, press("en"))
+    assert own["words"].startswith("At $φ_{1}$ = 114.6°: The centre $P_{24}$ is off the paper") and own["formulas"]
+    assert not own_steps(given.solution, [(it.where(given.phi), given.solution)], press("en"))

@@ -20,7 +20,8 @@ from vecpoly.report.answers.errors import alike
 from vecpoly.report.answers.tables import readings_at
 from vecpoly.report.course.numbering import SMALL, TINY
 from vecpoly.report.course.results.extreme_values import _exact, extremes
-from vecpoly.report.course.results.tabled import TIGHT, _abreast, _formats, decimal, tabled
+from vecpoly.report.course.results.tabled import TIGHT, _formats, decimal, tabled
+from vecpoly.report.flow.results.blocked import BlockTable
 from vecpoly.solution import solve
 from vecpoly.words import Words
 
@@ -236,8 +237,9 @@ def test_nothing_beside_what_runs_away_is_told_as_nothing() -> None:
 
 def test_the_rows_of_a_long_narrow_table_run_down_one_part_after_the_other_and_none_is_lost() -> None:
     body = [(f"{n}", f"{n}²") for n in range(35)]
-    header, rows = _abreast(["n", "n²"], body, 3)
-    assert header == ["n", "n²", "", "n", "n²", "", "n", "n²"] and len(rows) == 12
+    made = BlockTable.of(["n", "n²"], body, 3, "rr", "zh")
+    header, rows = made.header, made.rows
+    assert header == ("n", "n²", "", "n", "n²", "", "n", "n²") and len(rows) == 12
     assert all(len(row) == len(header) for row in rows)
     parts = [row[start : start + 2] for start in (0, 3, 6) for row in rows]
     assert [part for part in parts if any(part)] == body and parts[-1] == ("", "")

@@ -31,6 +31,7 @@ from vecpoly.report.course.machine import chapters
 from vecpoly.report.course.numbering import Press
 from vecpoly.report.course.results import chapter as results
 from vecpoly.report.course.results.mirrored import half, mirror, told
+from vecpoly.report.flow.results.blocked import BlockTable
 from vecpoly.report.flow.table import DataTable
 from vecpoly.words import Lang, Words
 
@@ -48,7 +49,8 @@ class Noted(Press):
         self.made: list[Made] = []
 
     def table(self, title: Any, header: Any, rows: Any, align: str, **style: Any) -> str:
-        self.made.append(Made(title, header, rows, style.get("style")))
+        wide = BlockTable.of(header, rows, style.get("blocks", 1), align, self.lang)
+        self.made.append(Made(title, wide.header, wide.rows, style.get("style")))
         return super().table(title, header, rows, align, **style)
 
 

@@ -111,6 +111,7 @@ def test_peaks_that_are_equally_high_are_told_by_both_their_places() -> None:
     assert told(high, drive) == "1.045 (218.6°, 321.4°)"
     assert told([(0.0, 68.0), (180.0, 68.0), (360.0, 68.0)], drive) == "68.00 (0°, 180°)"
     assert told([(0.0, 1.0), (120.0, 1.0), (240.0, 1.0)], drive) == "1.000 (0°)", "of many the first"
+    assert told([(343.98, 1.0)], drive) == "1.000 (344.0°)", "as the table has it, which is rounded there"
 
 
 def test_numbers_at_peaks_have_four_figures_as_the_tables_have() -> None:

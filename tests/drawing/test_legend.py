@@ -69,6 +69,13 @@ def test_a_motion_is_named_by_its_whole_and_a_sum_of_parts_by_these() -> None:
     assert _symbol("ak_C2C3") == "a^k_{C2C3}"  # of Coriolis: no part of a vector that is drawn
 
 
+def test_a_vector_that_shows_the_motions_of_several_points_is_named_by_all_of_them() -> None:
+    """Of a coupling rod that does not turn only v_B had a vector: the legend was silent about v_C and v_M."""
+    names = [one.words.en for one in key_of_vectors(_figures("parallelogram-locomotive"), "en")]
+    assert names == ["$v_{B} = v_{C} = v_{M}$, $a_{B} = a_{C} = a_{M}$"]
+    assert not any("=" in one.words.en for one in key_of_vectors(_figures("3-9"), "en"))
+
+
 @pytest.mark.parametrize("name", SOME)
 def test_a_kind_is_told_exactly_where_a_figure_of_the_sheet_has_it(name: str) -> None:
     for sheet in laid(name):

@@ -6,6 +6,7 @@ from __future__ import annotations
 import cmath
 from math import degrees
 from pathlib import Path
+from typing import TypeGuard
 
 import pytest
 import shapely
@@ -13,7 +14,8 @@ from pypdf import PdfReader
 
 from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from vecpoly.board.paper.marks import Arc
-from vecpoly.drawing.scene import Layer, Stroke, TextBox
+from vecpoly.drawing.figure import draw_figure
+from vecpoly.drawing.scene import Item, Layer, Rect, Stroke, TextBox
 from vecpoly.drawing.style import Dash
 from vecpoly.marked.out.feedback import side_by_side
 from vecpoly.marked.out.overlay import overlays
@@ -77,6 +79,35 @@ def test_the_title_and_the_scale_of_an_overlay_stand_below_what_the_student_drew
         own = [item for item in scene.items if isinstance(item, Stroke) and item.dash is Dash.DASHED]
         caption = sorted((item.rect for item in scene.items if isinstance(item, TextBox)), key=lambda rect: rect.y0)[:2]
         assert own and max(rect.y1 for rect in caption) < min(z.imag for item in own for z in item.points)
+
+
+@pytest.mark.parametrize("way", [90, 330])
+def test_letters_of_an_overlay_keep_clear_of_what_the_student_drew(tmp_path: Path, way: int) -> None:
+    """A vector that goes off the page ran through a letter of the exact polygon."""
+    sheet = register().sheet(NUMBERS[0])
+    assert sheet is not None
+    mine = answers(NUMBERS[0]) | {"v_E": f"90 ∠{way}°"}
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {NUMBERS[0]: mine}))
+    moved = False
+    construction = solve(register().variant(sheet.parts[0]), repeats=0).construction
+    for one in overlays(construction, done.results[0].marks["3-9"], "en"):
+        before, after = (
+            [item.rect for item in scene.items if isinstance(item, TextBox)]
+            for scene in (draw_figure(one.figure, lang="en", caption=False), one.scene)
+        )
+        for line in (item for item in one.scene.items if _is_own(item)):
+            moved |= any(_through(line, rect) for rect in before)
+            assert not any(_through(line, rect) for rect in after), one.figure.title.en
+    assert moved
+
+
+def _is_own(item: Item) -> TypeGuard[Stroke]:
+    return isinstance(item, Stroke) and item.dash is Dash.DASHED and len(item.points) == 2 and item.layer is Layer.OVER
+
+
+def _through(line: Stroke, rect: Rect) -> bool:
+    bar = shapely.LineString([(z.real, z.imag) for z in line.points])
+    return bool(bar.intersects(shapely.box(rect.x0, rect.y0, rect.x1, rect.y1)))
 
 
 @pytest.mark.parametrize(("times", "cut"), [(1.5, False), (10.0, True), (1000.0, True)])

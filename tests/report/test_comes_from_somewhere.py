@@ -5,6 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import pytest
+
+import vecpoly
+from tests.at_once import exactly
 from tests.drawn_library import LIBRARY, drafted, given
 from tests.each import Later, each
 from tests.studies import studied
@@ -106,3 +110,20 @@ def test_the_sketch_of_what_is_given_has_no_angle_that_is_worked_out_of_a_functi
     assert figure is not None
     labels = {mark.label for mark in figure.marks if isinstance(mark, Point | AngleMark)}
     assert {"A", "D"} <= labels and not [label for label in labels if label[:1] in "MNφψ" and label]
+
+
+BESIDE = """
+id: offset
+title: a cylinder whose rod passes beside its pin
+frame: {A: [0 mm, 0 mm], D: [-17 mm, 7 mm]}
+links: {1: {AC: 106 mm}, 2: {rod: D}, 3: {block: C}}
+joints: [3 slides on 2 with C 36 mm right]
+input: {cylinder: 2-3, s: 119.01 mm, v: 0.3 m/s, a: -0.5 m/s^2}
+branch: [C right of AD]
+find: [v_C, a_C, omega_2, alpha_2]
+"""
+
+
+def test_the_length_of_a_cylinder_is_the_distance_of_its_hinges_only_where_its_rod_passes_through_both() -> None:
+    found = exactly(vecpoly.loads(BESIDE))
+    assert all(one.drawn == pytest.approx(one.exact, rel=1e-9) for one in found.answers.values())

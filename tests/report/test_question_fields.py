@@ -12,15 +12,17 @@ from tests.each import Later, each
 from tests.laws import few
 from vecpoly.board.construction import Construction, Figure
 from vecpoly.board.paper.extent import bounds
-from vecpoly.board.paper.marks import Arc, Dot, Note, Point, Segment
+from vecpoly.board.paper.marks import Arc, Dot, Ground, Note, Point, Segment
 from vecpoly.figures import View
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.report.flow.furniture import COLUMN
 from vecpoly.report.question.blanks import all_sought, empty_table
 from vecpoly.report.question.framed.bar import BAR
+from vecpoly.report.question.framed.fields import FIELDS
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.known import begins_at
 from vecpoly.report.question.framed.readings import READ
+from vecpoly.report.question.framed.room import is_free
 from vecpoly.report.question.ruled import named
 from vecpoly.typeset.box import MM
 
@@ -94,6 +96,16 @@ def test_the_bar_of_a_scale_lies_in_its_frame_with_its_value(name: str) -> None:
         ends = [end.real for mark in bar if isinstance(mark, Segment) for end in (mark.a, mark.b)]
         assert not ends or (min(ends) > low.real and max(ends) - min(ends) >= 5.0)
         assert all(mark.at.real < high.real for mark in bar if isinstance(mark, Note))
+
+
+@each(Later(lambda: ["3-10", "hand-lever", *DRAWN]))
+def test_the_bar_of_a_scale_stands_under_no_pivot(name: str) -> None:
+    """It lay in the hatching of C (3-10)."""
+    for frame in blank_of(name).figures:
+        bar = [mark for mark in frame.marks if mark.key == BAR]
+        rest = [mark for mark in frame.marks[4:] if mark.key not in FIELDS and isinstance(mark, Ground)]
+        if bar:
+            assert is_free(*bounds(bar), rest), (frame.view, frame.name)
 
 
 def test_a_body_is_printed_in_the_positions_that_a_synthesis_is_given_and_no_pin_that_it_finds() -> None:

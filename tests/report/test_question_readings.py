@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from itertools import pairwise
+from math import inf
 
 import pytest
 
@@ -103,6 +105,30 @@ def test_a_line_to_write_a_number_on_is_at_least_16_mm_long_and_in_its_frame(nam
         for line in rules(frame):
             assert line.b.real - line.a.real >= 15.9
             assert low.real < line.a.real and line.b.real < high.real and low.imag < line.a.imag
+
+
+@each(DRAWN)
+def test_lines_to_write_on_begin_under_each_other_and_their_units_stand_behind_them_in_a_column(name: str) -> None:
+    """Each began behind its own name, and none under the one before it."""
+    for frame in blank_of(name)[0].figures:
+        lines = [*by_columns(frame)]
+        first = {round(row[0].a.real - left, 3) for left, row in lines}
+        assert len(first) <= 1, (frame.view, first)
+        assert len({round(abs(rule.b - rule.a), 3) for _, row in lines for rule in row}) <= 1
+        for count in {len(row) for _, row in lines}:
+            behind = {round(row[-1].b.real - left, 3) for left, row in lines if len(row) == count}
+            assert len(behind) == 1, (frame.view, behind)
+
+
+def by_columns(frame: Figure) -> Iterator[tuple[float, list[Segment]]]:
+    """The left end of each line of readings, and its rules: the name of a quantity begins one."""
+    names = [mark for mark in frame.marks if isinstance(mark, Note) and mark.key == READ and "=" in mark.words.en]
+    starts = [mark for mark in names if mark.words.en.startswith("$") and mark.words.en != Y]
+    for start in starts:
+        level = [one for one in rules(frame) if abs(one.a.imag - start.at.imag) < 3.0]
+        after = [one.at.real for one in starts if one.at.imag == start.at.imag and one.at.real > start.at.real]
+        row = [one for one in level if start.at.real < one.a.real < min(after, default=inf)]
+        yield start.at.real, sorted(row, key=lambda one: one.a.real)
 
 
 @each(DRAWN)

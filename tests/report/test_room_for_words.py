@@ -60,10 +60,12 @@ def test_each_name_stands_once_before_its_lines(name: str, lang: Lang) -> None:
 
 
 def test_a_line_begins_behind_its_name_and_under_a_long_one_at_the_edge() -> None:
-    lines = Lined(("short:", "a name that is much too long to leave any room for a line behind it, as it goes on:"))
+    long = "a name that is much too long to leave any room for a line behind it, as it goes on:"
+    lines = Lined(("short:", "somewhat longer:", long))
     lines.wrap(170 * MM, 0.0)
-    short, long = lines.starts()
-    assert 5 * MM < short < 30 * MM and long == 0.0
+    short, longer, edge = lines.starts()
+    assert 5 * MM < short < 40 * MM and edge == 0.0
+    assert short == longer, "one under the other"
 
 
 def test_of_a_term_that_may_not_exist_the_row_says_what_is_written_then() -> None:

@@ -107,7 +107,7 @@ def test_reactions_in_a_row_that_are_equal_have_one_line_and_one_row() -> None:
     lines = [plain(one) for one in set_lines if isinstance(one, Row)]
     assert sum(line.endswith("= 659 N") for line in lines) == 2, "measured once for both senses, then one chain"
     assert lines[0].startswith("R_21 = R_12 = μ_F")
-    assert lines[-1] == "R_21 = R_32 = R_12 = R_23 = R_43 = 659 N"
+    assert lines[-1] == "R_32 = R_12 = R_23 = R_43 = R_21 = 659 N", "what another line has found stands last"
     found = [row.keys for row in rows_in(answer_box(solution, "en")) if row.value == "659"]
     assert sorted(key for keys in found for key in keys) == ["R_12", "R_23", "R_32", "R_43"] and len(found) == 2, (
         "two directions of one length on paper"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import pytest
 
 import vecpoly
@@ -11,8 +13,8 @@ from tests.studies import studied
 from vecpoly.algebra.formula import plain
 from vecpoly.algebra.rounding import read_back
 from vecpoly.board.construction import View
-from vecpoly.board.paper.marks import FixedGuide, Point
-from vecpoly.diagram.chains import INWARD
+from vecpoly.board.paper.marks import Block, FixedGuide, Point, Segment
+from vecpoly.diagram.chains import INWARD, NEXT
 from vecpoly.printed.digits import drawn_number, in_percent
 from vecpoly.report.answers.box import answer_box
 from vecpoly.report.answers.line import result_of, short_line
@@ -35,6 +37,17 @@ def test_an_efficiency_in_per_cent_is_that_which_is_printed(name: str) -> None:
 
 def test_a_share_keeps_its_figures_in_per_cent() -> None:
     assert [in_percent(text) for text in ("0.44", "0.570", "1.00", "0.05")] == ["44 %", "57.0 %", "100 %", "5 %"]
+
+
+@pytest.mark.parametrize("name", ["4-3b", "4-4", "4-7"])
+def test_the_arm_of_a_couple_is_found_before_its_moment(name: str) -> None:
+    """h stood under the line of M, which goes on with it."""
+    for step in of(name).construction.steps:
+        told = [plain(line).split(" = ")[0] for line in step.formulas]
+        if "h" in told:
+            assert told.index("h") < min(n for n, symbol in enumerate(told) if symbol.startswith("M"))
+            return
+    pytest.fail("no line of h")
 
 
 @pytest.mark.parametrize("name", ["5-1", "cam-flat-arm", "4-5"])
@@ -105,6 +118,22 @@ def test_the_letter_of_a_guide_stands_at_the_guide() -> None:
             guides += bool(rails)
             assert not rails or min(abs(spot - end) for rail in rails for end in (rail.a, rail.b)) < INWARD + 1e-9
     assert guides == 2
+
+
+@pytest.mark.parametrize("name", ["2-6", "2-9", "2-10", "2-12", "2-13"])
+def test_the_letter_of_a_block_with_a_pin_stands_at_the_block_or_at_the_end_of_its_line(name: str) -> None:
+    """B' stood as far from its block as the letter of another joint, E' under the line of its guide."""
+    letters = 0
+    for figure in of(name).construction.figures:
+        blocks = [mark.at for mark in figure.marks if isinstance(mark, Block)]
+        rails = [mark for mark in figure.marks if isinstance(mark, FixedGuide)]
+        ends = [end for mark in figure.marks if isinstance(mark, Segment) for end in (mark.a, mark.b)]
+        ends += [end for rail in rails for end in (rail.a, rail.b)]
+        for spot in (one.at for one in figure.marks if isinstance(one, Point) and one.label.endswith("'")):
+            letters += 1
+            at_block = min((abs(spot - at) for at in blocks), default=inf) < NEXT + 1e-9
+            assert at_block or min(abs(spot - end) for end in ends) < INWARD + 1e-9
+    assert letters
 
 
 def test_what_is_not_checked_is_not_told_and_the_largest_value_is_that_of_the_extremes() -> None:

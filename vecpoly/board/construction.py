@@ -89,18 +89,6 @@ class Listing:
     told: Words | None = None
     lead: Words = Words.same("")
 
-    def abreast(self, blocks: int) -> Listing:
-        """The same in several blocks of columns beside each other, so that a long table is a short one."""
-        if blocks == 1:
-            return self
-        high = -(-len(self.rows) // blocks)
-        blank = ("",) * len(self.head)
-        at = [[*self.rows[k * high : (k + 1) * high]] for k in range(blocks)]
-        rows = [[block[i] if i < len(block) else blank for block in at] for i in range(high)]
-        return Listing(
-            head=self.head * blocks, rows=tuple(tuple(cell for part in row for cell in part) for row in rows)
-        )
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Step:

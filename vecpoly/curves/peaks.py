@@ -19,6 +19,7 @@ Known = Callable[[str], Extremes]
 SIZE = 2.7  # em of the lettering, mm
 _DIGITS = 4  # as in the columns of tables
 _LEVEL = 1e-5  # of the range: spots that differ by less, read off samples, are equally high
+_WHOLE = 1e-3  # degrees or mm: nearer to a whole number a place is one
 _NEAR = 1e-2  # of the range: how far a sampled extreme may be from the true one
 _NOTHING = 1e-9  # of the greatest value: zero
 _TURN = 360.0  # degrees
@@ -90,15 +91,20 @@ def told(alike: Sequence[Spot], drive: Column, of: str = "") -> str:
     """The value to four figures, of an angle to 0.1° as in the text, and the drive's places to 0.1° or 0.1 mm: of two
     that are equally high both."""
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
-    places = [f"{style.number(place)}{unit}" for place in _places(alike)]
+    places = [f"{_place(place)}{unit}" for place in _places(alike)]
     value = f"{alike[0][1]:.1f}".replace("-", "−") if of == "°" else figures(alike[0][1])
     return f"{value} ({', '.join(places) if len(places) <= _BOTH else places[0]})"
 
 
 def _places(alike: Sequence[Spot]) -> list[float]:
     """The places of spots that are alike, once each: where a turn ends, the next begins."""
-    turned = {round(place, 1) for place, _ in alike}
-    return sorted(turned - {_TURN} if {0.0, _TURN} <= turned else turned)
+    turned = {round(place, 1): place for place, _ in alike}
+    return [turned[one] for one in sorted(turned) if one != _TURN or 0.0 not in turned]
+
+
+def _place(place: float) -> str:
+    """To a tenth, 344.0, as the tables have it; of what is whole no tenths: 180."""
+    return style.number(round(place)) if abs(place - round(place)) < _WHOLE else style.number(place, 1)
 
 
 def figures(value: float) -> str:

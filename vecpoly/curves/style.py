@@ -73,9 +73,10 @@ def _round_steps() -> MaxNLocator:
     return MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10])
 
 
-def number(value: float) -> str:
-    """A round number with a real minus."""
-    return ("0" if abs(value) < 1e-12 else f"{value:.8g}").replace("-", "−")
+def number(value: float, places: int | None = None) -> str:
+    """A round number with a real minus, or a number to so many places."""
+    text = f"{value:.8g}" if places is None else f"{value:.{places}f}"
+    return ("0" if abs(value) < 1e-12 else text).replace("-", "−")
 
 
 def line(at: Any, x: Any, y: Any, pen: Pen, label: str = "_") -> None:

@@ -26,6 +26,7 @@ from .profiles import FACE, Touching, is_hollow, profile, round_of
 NEAR = 0.3  # mm: places closer than this are one
 BEYOND, HALF_GUIDE, HALF_WAY = 13.0, 11.0, 14.0  # mm: a rod goes on past its block; half a fixed guide, a way alone
 INWARD = 2.0  # mm from the end of a fixed guide, beside which its letter stands
+NEXT = 6.5  # mm from the middle of a block: there a rod has the letter of the pair, just outside the block
 Rod = Segment | Weld  # a rod, the arms beside it, and the marks of their rigid corners
 DOWNS = (-1j, 1j, 1 + 0j, -1 + 0j)
 
@@ -145,15 +146,17 @@ class Sketched:
         return pair.hinged and len({*pair.links} - self.gone) > 1
 
     def _lettered(self, pair: Joined, frame: bool) -> complex:
-        """Where a sliding pair has its letter: at the block; where that has a pin, at the free end of the guide as it
-        is drawn."""
+        """Where a sliding pair has its letter: at the block; where that has a pin, at the free end of a fixed guide or
+        of its line, on a rod just outside the block."""
         pinned = [p for p in self.chain.pairs if p.hinged and abs(p.at - pair.at) < NEAR]
         links = {link for p in pinned for link in p.links if link not in (FRAME, *pair.links)}
         ways = sum((p.at - pair.at for link in links for p in self.chain.at(link)), 0j)
         ahead = -1 if (pair.along.conjugate() * ways).real > 0 else 1
-        rail = pair.links[1] == FRAME and frame
-        aside = 1j * pair.along * HALF_BLOCK * (1 if self._leans_right(pair) else -1) if rail else 0j
-        return pair.at + ahead * pair.along * (HALF_GUIDE - INWARD * rail) + aside if pinned else pair.at
+        if not pinned or pair.links[1] != FRAME or not frame:
+            off = (HALF_WAY if pair.links[1] == FRAME else NEXT) if pinned else 0.0
+            return pair.at + off * ahead * pair.along
+        aside = 1j * pair.along * HALF_BLOCK * (1 if self._leans_right(pair) else -1)
+        return pair.at + ahead * pair.along * (HALF_GUIDE - INWARD) + aside
 
     def _slide(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
         """A block on a fixed guide, a sleeve on a rod, a rod in a fixed sleeve."""

@@ -50,12 +50,13 @@ def units(mech: Mechanism) -> tuple[tuple[str, ...], ...]:
 
 
 def stretched(mech: Mechanism, drive: Drive) -> tuple[str, ...]:
-    """The hinges of a cylinder whose distance its length is, that of its barrel first; none of another drive."""
+    """The hinges of a cylinder whose distance its length is, that of its barrel first; none of another drive, nor where
+    its rod passes beside a hinge."""
     joint = driven_joint(mech, drive)
     if not isinstance(joint, Prismatic) or joint.guide not in mech.bodies:
         return ()
     foot, at = next(iter(mech.link(joint.guide).points.items()), ("", 0j))
-    return (foot, joint.pin) if abs(at - joint.origin) < NEAR else ()
+    return (foot, joint.pin) if max(abs(at - joint.origin), abs(joint.offset)) < NEAR else ()
 
 
 def driven_joint(mech: Mechanism, drive: Drive) -> Joint | None:

@@ -13,12 +13,12 @@ from ..board.construction import Listing
 from ..check.printed.verdict import Checked, Verdict, is_angle
 from ..drawing.hues import ink_called
 from ..figures.hue import Hue
-from ..foundation.slotted import replace
 from ..names import is_place
 from ..problem.problem import Problem, as_printed
 from ..solution import YES_NO, Solution
 from ..typeset.box import Rgb
 from ..words import Lang, Words
+from .flow.results.blocked import BlockTable
 from .flow.table import DataTable
 from .heads import unit_column, united
 from .statement.in_table import in_table
@@ -56,15 +56,8 @@ def listed(listing: Listing, lang: Lang) -> DataTable:
     blocks = max(1, min(listing.blocks, MOST_COLUMNS // len(listing.head)))
     blocks = blocks if len(listing.rows) > max(blocks, FEW) else 1
     blocks = ceil(len(listing.rows) / max(1, ceil(len(listing.rows) / blocks))) or 1  # none of them stays empty
-    wide = replace(listing, rows=padded(listing.rows)).abreast(blocks)
-    heads, align = [head.of(lang) for head in wide.head], "d" * len(wide.head)
-    gaps = range(len(heads) - len(listing.head), 0, -len(listing.head))  # a blank column between two blocks
-    for at in gaps:
-        heads, align = [*heads[:at], "", *heads[at:]], align[:at] + "l" + align[at:]
-    rows = [list(row) for row in wide.rows]
-    for at in gaps:
-        rows = [[*row[:at], "", *row[at:]] for row in rows]
-    return DataTable(heads, rows, None, align, lang=lang)
+    heads = [head.of(lang) for head in listing.head]
+    return BlockTable.of(heads, padded(listing.rows), blocks, "d" * len(heads), lang)
 
 
 def given_tables(problem: Problem, lang: Lang) -> list[DataTable]:

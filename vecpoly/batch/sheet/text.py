@@ -14,8 +14,8 @@ from ...report.content import Objects, beside_tables
 from ...report.document import PICTURE
 from ...report.flow.xml import to_flowables
 from ...report.plates.sketch import sketch_of
-from ...report.question.blanks import working_room
 from ...report.question.lined import lined
+from ...report.question.room import room_of_lines
 from ...report.question.sketch import sketched
 from ...report.question.working import LEAST_ROOM, Squares
 from ...report.tables import given_tables
@@ -60,7 +60,7 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
         "picture": objects.add("pic", sketch_of(drawn, solution, lang, sketch=True)) if drawn else "",
     }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
-    need = working_room(solution) + sum(extent(one.marks)[1] + AROUND for one in beside)
+    need = room_of_lines(solution) + sum(extent(one.marks)[1] + AROUND for one in beside)
     blocks = [*to_flowables(xml, objects.named, lang)]
     blocks[-1:-1] = lined(solution.problem.explain, lang)  # the last is the heading over the squares
     return worked(paged(blocks), need)

@@ -30,13 +30,36 @@ def evaluated(
             told[written.step] = replace(told[written.step], formulas=all_lines)
         elif reading.formula is not None and key in answers:
             step, line = _shown_in(steps, acts, answers[key]) - 1, in_mm(_as_another(lines, reading.formula), reading)
-            before = told[step]
-            written_at = (*before.written, answers[key].number)
-            told[step] = replace(before, formulas=(*before.formulas, line), written=written_at)
+            told[step] = _with_line(told[step], line, answers[key].number)
         else:
             continue
         found[key] = replace(reading, formula=line)
     return tuple(told), found
+
+
+def _with_line(step: Step, line: Node, number: int) -> Step:
+    """The step with this line after its others; before the first that goes on with what it finds: h = μ_l h before
+    M = R_21 μ_l h. number: of the act that answers."""
+    way = _way(line)
+    at = next((n for n, other in enumerate(step.formulas) if _goes_on(other, way)), len(step.formulas))
+    shown = min((number, *step.written[at:]))
+    return replace(
+        step,
+        formulas=(*step.formulas[:at], line, *step.formulas[at:]),
+        written=(*step.written[:at], shown, *step.written[at:]),
+    )
+
+
+def _way(line: Node) -> str:
+    """The formula of symbol = formula = numbers = result; nothing of another line."""
+    told = plain(line.items[2]) if isinstance(line, Row) and len(line.items) > _WORKED + 1 else ""
+    return " ".join(told.split())  # with plain spaces between its factors
+
+
+def _goes_on(other: Node, way: str) -> bool:
+    """Whether its formula has this one, and more, as a factor."""
+    theirs = _way(other)
+    return bool(way) and theirs != way and f" {way} " in f" {theirs} "
 
 
 def _shown_in(steps: Sequence[Step], acts: Sequence[Act], answer: Answer) -> int:

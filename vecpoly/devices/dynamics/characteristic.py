@@ -20,7 +20,7 @@ from ...units.reading import Dim, positive, pure, read
 from ...words import Words
 from ..base import Tabled
 
-SHOWN = 6  # places that are told in a line; more of them stand in a table
+SHOWN = 2  # places that are told in a line; more of them stand in a table
 _TERMS = (Dim.MOMENT, Dim.DRAG, Dim.INERTIA)  # N·m, N·m·s, N·m·s² (as kg·m²)
 
 

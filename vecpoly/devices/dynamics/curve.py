@@ -23,7 +23,7 @@ from ...words import Words
 from ..base import Tabled
 
 MOST = 1000  # places of a curve
-SHOWN = 8  # places that are told in a line; more of them stand in a table
+SHOWN = 2  # places that are told in a line; more of them, more than five numbers, stand in a table
 SAME = 1e-9  # rad
 _HEAD = re.compile(r"\s*(.*?)\s*[(（\[/]\s*(.+?)\s*[)）\]]?\s*")
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import radians, tau
 
 from ...board.acts import Arrow
 from ...board.construction import Construction, Figure
-from ...board.paper.marks import Arc, Dot, Mark, Point, Role
+from ...board.paper.marks import Arc, Dot, Mark, Point, Role, Segment
 from ...board.place import View
 from ...drawing.figure import caption_items, draw_figure
-from ...drawing.scene import Item, Layer, Rect, Scene, Stroke
+from ...drawing.scene import Item, Layer, Rect, Scene, Stroke, TextBox
 from ...drawing.style import RESULT, Dash, Hue
 from ...foundation.frozen import FrozenMap
 from ...foundation.slotted import replace
@@ -23,6 +23,7 @@ from ...words import Lang
 
 _HEAD, _HALF = 3.0, radians(9.5)  # mm, half the angle of an arrowhead
 ROOM = (164.0, 130.0)  # mm that a figure may take with what the student drew; its caption stands below
+_LAID = -1  # the step of lines that stand on a figure while its letters find their places
 BEYOND = 20.0  # mm: how far beyond the figure a line is drawn that has no room on the page
 _LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION, Role.IDEAL)
 POLYGONS = (View.VELOCITY, View.ACCELERATION, View.FORCE)
@@ -50,9 +51,11 @@ def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator
             cleared = _cleared(figure)
             whole = replace(cleared, tones=FrozenMap({}), marks=(*cleared.marks, *allowed))
             exact = draw_figure(whole, lang=lang, caption=False)
-            lines = [_line(one, marked.key[one.key], arrows[one.key], exact.extents) for one in own]
-            both = exact + Scene.of(tuple(item for line in lines if line is not None for item in line.items()))
-            cut = tuple(one.symbol for one in lines if one is not None and one.cut)
+            found = (_line(one, marked.key[one.key], arrows[one.key], exact.extents) for one in own)
+            lines = [line for line in found if line is not None]
+            clear = _clear_of(lines, whole, exact, lang)
+            both = clear + Scene.of(tuple(item for line in lines for item in line.items()))
+            cut = tuple(one.symbol for one in lines if one.cut)
             scene = both + Scene.of(caption_items(whole, both.extents, lang))  # below what the student drew, too
             yield Overlay(figure=whole, scene=scene, cut=cut)
 
@@ -114,6 +117,26 @@ def _line(one: Finding, graded: Graded, ends: tuple[complex, complex], exact: Re
         reached = _free(start, along, exact, (min(wide, BEYOND), min(high, BEYOND)))
     hue = Hue.BLACK if one.is_right else Hue.ALARM
     return _Line(symbol=graded.symbol, start=start, tip=start + reached * along, hue=hue, cut=reached < size)
+
+
+def _clear_of(lines: Sequence[_Line], figure: Figure, exact: Scene, lang: Lang) -> Scene:
+    """The exact polygon; where a line of the student runs through a letter of it, with its letters clear of the lines,
+    which are on it while these find their places."""
+    letters = [item.rect for item in exact.items if isinstance(item, TextBox)]
+    if not any(_runs_through(line, rect) for line in lines for rect in letters):
+        return exact
+    laid = tuple(Segment(step=_LAID, a=line.start, b=line.tip, role=Role.DIRECTION) for line in lines)
+    scene = draw_figure(replace(figure, marks=(*figure.marks, *laid)), lang=lang, caption=False)
+    return Scene.of(tuple(item for item in scene.items if item.step != _LAID))
+
+
+def _runs_through(line: _Line, rect: Rect) -> bool:
+    """Whether no line parts them: neither an upright or a level one, nor one along the line."""
+    a, b = line.start, line.tip
+    level = min(a.imag, b.imag) > rect.y1 or max(a.imag, b.imag) < rect.y0
+    upright = min(a.real, b.real) > rect.x1 or max(a.real, b.real) < rect.x0
+    sides = [((corner - a) * (b - a).conjugate()).imag for corner in rect.corners]
+    return not (level or upright or min(sides) > 0 or max(sides) < 0)
 
 
 def _free(start: complex, along: complex, exact: Rect, beyond: tuple[float, float]) -> float:

@@ -114,7 +114,7 @@ def _force(name: str, spec: LoadSpec, written: str | TableSpec, draft: Draft, dr
             code="missing",
         )
     if spec.at not in draft.held:
-        raise not_on_link(spec.at, spec.on, draft.held, "at")
+        raise not_on_link(spec.at, draft.name, draft.held, "at")
     size = _size(written, Dim.FORCE)
     if size is not None and size < 0:
         raise FaultError(

@@ -13,6 +13,7 @@ from ...typeset.box import MM
 from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Drawing
+from ..flow.results.blocked import BlockTable
 from ..flow.results.halved import even
 from ..flow.style import CAPTION, CELL, Style
 from ..flow.table import DataTable
@@ -87,14 +88,16 @@ class Press:
 
     def table(
         self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL,
+        blocks: int = 1,
     ) -> str:  # fmt: skip
-        """A numbered table without columns of dashes; its name for the template."""
-        kept = told_columns(header, rows)
+        """A numbered table without columns of dashes, in so many blocks of all columns beside each other; its name for
+        the template."""
+        kept = told_columns(header, rows) if blocks == 1 else range(len(header))
         header, rows = united([header[i] for i in kept], [tuple(row[i] for i in kept) for row in rows])
         align = "".join(align[i] for i in kept)
         caption = self._caption(_TABLE, "table", title)
-        made = even(DataTable(header, rows, None, align, lang=self.lang, caption=caption.text, style=style))
-        made.undivided = _WHITE if len(rows) <= _WHOLE else 0.0
+        made = even(BlockTable.of(header, rows, blocks, align, self.lang, caption=caption.text, style=style))
+        made.undivided = _WHITE if len(made.rows) <= _WHOLE else 0.0
         return self._kept("tab", made, caption)
 
     def _kept(self, prefix: str, thing: object, *captions: _Caption) -> str:

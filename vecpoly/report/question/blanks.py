@@ -1,10 +1,9 @@
-"""What is filled in by hand: the table of results, and the room to work in."""
+"""What is filled in by hand: the table of results."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...algebra.formula import plain
 from ...board.acts import Compute
 from ...board.construction import Reading
 from ...designs.inversion.positions import MANY, Positions
@@ -29,7 +28,6 @@ from .ruled import NONE, RuledTable
 
 _YES_OR_NO = Words("（是/否）", " (yes or no)")
 _SOLVED, _ROOM = Words("解 {}", "Solution {}"), 4  # columns for the solutions of a synthesis, not as many as there are
-LINE, LISTED = 6, 4  # mm of squares for a line that is worked out, for an equation or a list
 _NOUGHT = Words("哥氏加速度 {}（无则填 0）", "Coriolis term {} (0 if none)")
 _PLACE = Words("(　　　　　，　　　　　) mm", "(　　　　　,　　　　　) mm")
 _OTHERS = Words("其他", "Others")
@@ -53,7 +51,7 @@ def are_lined(solution: Solution, lined: frozenset[str]) -> bool:
     """Whether each length that is read has its line in a frame, those on the way too."""
     read = {one.reading.symbol for one in solution.answers.values() if _measured(one)}
     read |= {one.symbol for one in _valueless(solution) if _is_length(one)}
-    return bool(read) and read <= lined and not any(rel.is_vector for rel in _on_the_way(solution))
+    return bool(read) and read <= lined and not any(rel.is_vector for rel in on_the_way(solution))
 
 
 def _in_order(first: list[Cells], solution: Solution, lang: Lang) -> Iterator[Cells]:
@@ -171,7 +169,7 @@ def _none(one: Reading, solution: Solution, lang: Lang) -> Cells:
 def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
     """A row for each velocity and acceleration that is computed, neither asked nor given, under a heading: those of
     points, which are laid off, then those of links; the mean of a machine's speed, or its extremes, have no sense."""
-    found = _on_the_way(solution)
+    found = on_the_way(solution)
     if found:
         yield headed(_ON_THE_WAY.of(lang))
     for rel in sorted(found, key=_by_kind):
@@ -179,7 +177,7 @@ def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
         yield f"${rel.symbol}$", "" if rel.is_vector else NONE, "", _unit(rel.unit), way
 
 
-def _on_the_way(solution: Solution) -> list[Rel]:
+def on_the_way(solution: Solution) -> list[Rel]:
     """The velocities and accelerations that are computed, neither asked nor given."""
     known = {*solution.answers, *(_bare(datum.symbol) for datum in solution.problem.given.data)}
     keys = dict.fromkeys(act.key for act in solution.construction.acts if isinstance(act, Compute))
@@ -212,17 +210,3 @@ def _measured(answer: Answer) -> bool:
 def _points(answer: Answer) -> bool:
     """Whether it has a direction or a sense: a moment of inertia has none, nor has a place."""
     return (answer.drawn_vector is not None and not answer.is_place) or answer.turns
-
-
-def working_room(solution: Solution) -> float:
-    """How much room the work needs, mm: for every line that is worked out, and for what the steps list. None where
-    nothing is computed but what lengths on paper come to, for which the table has room."""
-    steps = solution.construction.steps
-    lines = sum(not _only_read(plain(line)) for step in steps for line in step.formulas)
-    listed = sum(bool(step.equation or step.listing) for step in steps)
-    return float(LINE * lines + LISTED * listed)
-
-
-def _only_read(line: str) -> bool:
-    """Whether a line is a reading, or one times its scale: φ = 140°, l_AB = μ_l AB = 0.001 × 44.7 = 44.7 mm."""
-    return line.count(" = ") < 2 or (" = μ" in line and "(" not in line and "/" not in line)

@@ -16,13 +16,14 @@ from ..content import Objects
 from ..flow.base import Block
 from ..flow.blocks import Drawing, Heading
 from ..plates.sketch import sketch_of
-from .blanks import are_lined, empty_table, working_room
+from .blanks import are_lined, empty_table
 from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
 from .framed.known import begun, enlarged, is_circle
 from .framed.readings import lined
 from .lined import lined as words_for
+from .room import working_room
 from .sketches import sketching, to_sketch
 from .working import working
 

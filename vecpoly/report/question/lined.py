@@ -21,7 +21,7 @@ _LEAST = 50.0 * MM  # of the first line behind a name
 
 
 class Lined(Block):
-    """Two lines for each answer, the first behind its name, or below it where it is long."""
+    """Two lines for each answer, the first behind its name, one under the other, or below a name that is long."""
 
     pieces = True
 
@@ -49,9 +49,11 @@ class Lined(Block):
                 self.canv.line(0.0 if n % _EACH else starts[n // _EACH], y, self.width, y)
 
     def starts(self) -> list[float]:
-        """Where the first line of each begins: behind the name; at the edge, where a long one stands on it."""
+        """Where the first line of each begins: behind the longest of the names; at the edge, where a longer one stands
+        on it."""
         ends = [layout_words(name, BODY.em).width * MM + _GAP for name in self.names]
-        return [end if end <= self.width - _LEAST else 0.0 for end in ends]
+        most = max((end for end in ends if end <= self.width - _LEAST), default=0.0)
+        return [most if end <= self.width - _LEAST else 0.0 for end in ends]
 
 
 def lined(explain: Sequence[Words], lang: Lang) -> list[Block]:

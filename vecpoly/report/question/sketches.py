@@ -17,9 +17,10 @@ from ...words import Lang, Words
 from ..flow.base import Block
 from ..flow.furniture import COLUMN
 from ..flow.style import CAPTION, GREY
-from .working import CLOSE, GAP, LITTLE, TALLEST, Squares, Working, tall
+from .working import GAP, LITTLE, SQUARE, TALLEST, Squares, Working, tall
 
 LOWEST, _HIGH = 62.0 * MM, 67.0 * MM  # of the room for frames; of each of two that stand one under the other
+HALF = 0.5  # of the room that the work needs: frames have the rest
 _UNDER, _APART = 6.0 * MM, 4.0 * MM  # for the title under a frame; between two
 _GROUPS = Words("原动件与杆组", "Driver and Assur groups")
 _BY = Words("（原动件 {}）", " (driver {})")
@@ -94,7 +95,7 @@ class Sketching(Working):
 
     def __init__(self, title: str, need: float, frames: Frames, foot: Sequence[Block], lang: Lang) -> None:
         super().__init__(title, need, foot, lang)
-        self._frames, self._squared = frames, max(CLOSE * need, LITTLE) if title else 0.0
+        self._frames, self._squared = frames, max(HALF * need, LITTLE) if title else 0.0
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
         """All that is left, where it suffices: what is more than needed is for the frames."""
@@ -104,9 +105,10 @@ class Sketching(Working):
 
     def split(self, width: float, height: float) -> list[Block]:
         """Squares on the rest of this page, and the frames overleaf."""
-        if not self._squared or height - sum(tall(one, width) for one in self._head) < LITTLE:
+        room = height - sum(tall(one, width) for one in self._head)
+        if not self._squared or room < LITTLE:
             return []
-        first = Working(self.outline, LITTLE, (), self._lang)
+        first = Working(self.outline, int(room / SQUARE) * SQUARE, (), self._lang)
         rest = Sketching("", 0.0, self._frames, self._foot, self._lang)
         return [first.made_of(self, first=True), rest.made_of(self, first=False)]
 

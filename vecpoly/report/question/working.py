@@ -1,5 +1,5 @@
-"""Squared paper to work on: it takes the rest of the page, or a page of its own where that is a strip, and goes on
-overleaf; the results stand at its foot."""
+"""Squared paper to work on, as much as the work needs (`room`): what is left of the page where that suffices, else it
+goes on overleaf; the results stand at its foot."""
 
 from __future__ import annotations
 
@@ -12,13 +12,16 @@ from ..flow.base import Block
 from ..flow.blocks import Heading
 from ..flow.furniture import COLUMN
 from ..flow.style import PALE
+from .room import ROOMY
 
 SQUARE = 5.0 * MM
 LEAST_ROOM, LITTLE = 45.0 * MM, 25.0 * MM  # of squares under a heading; for a line or two, or over a tall table
-BEGUN = 70.0 * MM  # of squares that go on overleaf: a lower strip stays white
+STRIP = 25.0 * MM  # below the most that the work needs: so little more squares fill the page
+_LOW = 75.0 * MM  # of results that have a page to themselves: lower ones have squares over them
+BEGUN = 60.0 * MM  # of squares that go on overleaf: a lower strip stays white
 _TALL, TALLEST = 180.0 * MM, 193.0 * MM  # of what stands at the foot, at most: it fits the lowest paper
 GAP = 3.0 * MM
-CLOSE = 0.6  # of the room that the work has on lines of its own: so much it needs in two columns, which spares a page
+CLOSE, TIGHT = 0.7, 0.6  # of the room that the work needs: enough over its results; enough to spare a page
 _ON = {"zh": "{}（续）", "en": "{} (continued)"}
 
 
@@ -50,9 +53,10 @@ class Squares(Block):
 
 
 class Working(Block):
-    """Squares on as much of the page as is left, and more pages until there is the room that the work needs.
+    """Squares on this page where it has room enough for the work and its foot; else on what is left of it, and overleaf
+    what is lacking.
 
-    need: in points, of squares in all; foot: blocks under the last of them.
+    need: in points, of squares in all, at least; foot: blocks under the last of them.
     """
 
     level = 3
@@ -63,21 +67,27 @@ class Working(Block):
         self._lang, self.outline, self._need, self._foot = lang, title, need, tuple(foot)
         self.name = title
         self._head = (Heading(title, 3, lang),) if title else ()
-        low = need <= LITTLE or sum(tall(one, COLUMN) for one in foot) > _TALL
-        self._least = LITTLE if low else LEAST_ROOM
+        self._least = min(LITTLE if sum(tall(one, COLUMN) for one in foot) > _TALL else LEAST_ROOM, need)
 
     def wrap(self, width: float, height: float) -> tuple[float, float]:
-        """All that is left, where it suffices, if need be for work in two columns."""
-        need = max(CLOSE * self._need, self._least) + self._other(width)
-        self.width, self.height = width, height - 0.01 if height >= need - 0.02 else need
+        """All that is left, where it suffices and is no more than the work may fill."""
+        other, need = self._other(width), max((CLOSE if self._foot else TIGHT) * self._need, self._least)
+        room = min(height - 0.01 - other, ROOMY * self._need)
+        if height - other <= ROOMY * self._need + STRIP * bool(self._need):
+            room = height - 0.01 - other
+        self.width, self.height = width, other + (room if room >= need - 0.02 else need)
         return width, self.height
 
     def split(self, width: float, height: float) -> list[Block]:
-        """What is left of this page, and the rest overleaf."""
+        """What is left of this page; overleaf the rest, or the results alone where nothing is lacking."""
         room = height - sum(tall(one, width) for one in self._head)
         if room < BEGUN:
             return []
-        rest = Working(_ON[self._lang].format(self.name), max(self._need - room, self._least), self._foot, self._lang)
+        lacking = 0.0 if room >= TIGHT * self._need else self._need - room
+        if lacking or sum(tall(one, width) for one in self._foot) < _LOW:
+            rest = Working(_ON[self._lang].format(self.name), max(lacking, LEAST_ROOM), self._foot, self._lang)
+        else:
+            rest = Working("", 0.0, self._foot, self._lang)
         rest.name = self.name
         first = Working(self.outline, int(room / SQUARE) * SQUARE, (), self._lang)
         return [first.made_of(self, first=True), rest.made_of(self, first=False)]
@@ -94,7 +104,8 @@ class Working(Block):
             one.drawOn(self.canv, 0.0, at + one.getSpaceAfter())
         squares = Squares(self.height - self._other(self.width))
         squares.wrapOn(self.canv, self.width, self.height)
-        squares.drawOn(self.canv, 0.0, top - squares.height)
+        if squares.height >= SQUARE:
+            squares.drawOn(self.canv, 0.0, top - squares.height)
 
     def _other(self, width: float) -> float:
         """What is not for squares."""

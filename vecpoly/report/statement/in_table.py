@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 from ...algebra.columns import padded
 from ...algebra.rounding import braced
-from ...board.construction import Listing
 from ...devices.balancing.rotor import Rotor
 from ...devices.base import Device
 from ...problem.problem import Problem
 from ...problem.values.given import Datum, as_printed
 from ...words import Lang, Words
+from ..flow.results.blocked import BlockTable
 from ..flow.table import DataTable
 from .given_data import given_data
 from .shortened import shortened
@@ -61,8 +61,7 @@ def in_table(problem: Problem, lang: Lang) -> tuple[tuple[Datum, ...], DataTable
     scalars = {id(one): cells for one in data if (cells := scalar(one, lang)) is not None}
     if len(scalars) < _MANY:
         return data, None
-    listing = Listing(head=tuple(Words.same(head.of(lang)) for head in _HEAD), rows=tuple(scalars.values()))
-    return tuple(one for one in data if id(one) not in scalars), _abreast(listing, lang)
+    return tuple(one for one in data if id(one) not in scalars), _abreast(tuple(scalars.values()), lang)
 
 
 def scalar(one: Datum, lang: Lang) -> tuple[str, str, str] | None:
@@ -77,17 +76,10 @@ def scalar(one: Datum, lang: Lang) -> tuple[str, str, str] | None:
     return f"${found[1]}$", _PLUS.join(term[1] for term in told), units.pop()
 
 
-def _abreast(listing: Listing, lang: Lang) -> DataTable:
-    """In blocks beside each other, with a blank column between two."""
-    high = -(-len(listing.rows) // _BLOCKS)
-    blocks, width = -(-len(listing.rows) // high), len(listing.head)
-    wide = listing.abreast(blocks)
-    heads, align = [head.of(lang) for head in wide.head], "ldc" * blocks
-    rows = [list(row) for row in wide.rows]
-    for at in range(len(heads) - width, 0, -width):
-        heads, align = [*heads[:at], "", *heads[at:]], align[:at] + "l" + align[at:]
-        rows = [[*row[:at], "", *row[at:]] for row in rows]
-    return DataTable(heads, rows, None, align, lang=lang)
+def _abreast(rows: Sequence[tuple[str, ...]], lang: Lang) -> DataTable:
+    """In as few rows as so many blocks beside each other make."""
+    high = -(-len(rows) // _BLOCKS)
+    return BlockTable.of([head.of(lang) for head in _HEAD], rows, -(-len(rows) // high), "ldc", lang)
 
 
 def _by_bodies(data: tuple[Datum, ...], lang: Lang) -> tuple[tuple[Datum, ...], DataTable] | None:

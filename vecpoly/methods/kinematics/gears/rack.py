@@ -9,7 +9,7 @@ from ....mechanism.model import FRAME, Prismatic, Rolling
 from ....names import At, Kind, Rel, omega
 from ....vector.close import close
 from ....vector.equation import UNKNOWN, Equation, Term
-from ....words import Words
+from ....words import Words, joined
 from ...desk import Desk
 from ...registry import Stage, method
 from ..chains import coincident_tip, never_turns, sliding_chain
@@ -19,6 +19,7 @@ from ..turning import same_turn
 from .meshing import mesh
 from .pitch import pitch_velocity, rolling_of
 
+_NUMBER = (("image", "coincides"), ("images", "coincide"))
 _SOURCE = "机械原理, pure rolling; relative motion of coincident points"
 
 
@@ -62,7 +63,7 @@ def velocity_rack(desk: Desk, group: Group) -> None:
         desk.board.equate(eq.table())
         close(desk.board, view, 0j, eq)
         same_turn(desk, rack, led, view)
-    _lettered(desk, view, rack)
+    _lettered(desk, view, rack, At(h))
 
 
 @method(
@@ -81,15 +82,28 @@ def acceleration_rack(desk: Desk, group: Group) -> None:
     mesh(desk, joint, rack, lambda: sliding_chain(desk, view, At(h, rack), At(h, led), slide, led), Words("：", ":"))
     if led != FRAME:
         same_turn(desk, rack, led, view)
-    _lettered(desk, view, rack)
+    _lettered(desk, view, rack, At(h, rack))
 
 
-def _lettered(desk: Desk, view: View, rack: str) -> None:
-    """The rack's own points; on one that only translates they all lie at one tip, which gets their letters."""
+def _lettered(desk: Desk, view: View, rack: str, pitch: At) -> None:
+    """The rack's own points; on one that only translates they all lie at one tip, that of the pitch point, which gets
+    their letters."""
     images_of_link(desk, view, rack)
-    if desk.turns[omega(rack)].never:
-        for letter in desk.mech.link(rack).points:
-            desk.board.plot(view, desk.tip(view, At(letter)), desk.tip_label(view, At(letter)), Dot.NONE)
+    if not desk.turns[omega(rack)].never:
+        return
+    for letter in desk.mech.link(rack).points:
+        desk.board.plot(view, desk.tip(view, At(letter)), desk.tip_label(view, At(letter)), Dot.NONE)
+    own = [letter for letter in desk.mech.link(rack).points if letter != pitch.point]
+    if own:
+        points = joined([Words.same(f"${letter}$") for letter in own])
+        tips = joined([Words.same(f"${desk.tip_label(view, At(letter))}$") for letter in own])
+        at, (image, coincide) = desk.tip_label(view, pitch), _NUMBER[len(own) > 1]
+        desk.board.remark(
+            Words(
+                f"齿条上 {points.zh} 点的影像 {tips.zh} 与 ${at}$ 重合。",
+                f" The {image} of {points.en} on the rack, {tips.en}, {coincide} with ${at}$.",
+            )
+        )
 
 
 def _pairs(group: Group) -> tuple[Rolling, Prismatic, str]:

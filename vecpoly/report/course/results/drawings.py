@@ -27,6 +27,7 @@ from ..analysis.force_words import role_note
 from ..numbering import SMALL, Press
 from .cramped import cramped
 from .drawn_views import drawn_views
+from .elsewhere import own_steps
 from .positions import at_position, draw_there
 from .repeated import without_repeated
 
@@ -54,11 +55,8 @@ def chosen(study: Study, lang: Lang) -> list[Drawn]:
     if not study.drawn:
         return []
     given = study.mech.drive.position
-    found = [
-        Drawn(
-            given, Words("题设位置", "the given position"), study.solution, _sheets(study, given, study.solution, lang)
-        )
-    ]
+    first = _sheets(study, given, study.solution, lang)
+    found = [Drawn(given, Words("题设位置", "the given position"), study.solution, first)]
     for phi, why in (*_candidates(study), *_quarter(study)):
         if len(found) == (POSITIONS if study.problem.loads is None and len(found[0].sheets) == 1 else LOADED):
             break
@@ -158,7 +156,8 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
     """Steps of the given position, its readings, the list of the others, all sheets."""
     press.chapter = "6"
     if not drawn:
-        return {"positions": "", "sections": [], "scales": "", "readings": "", "placed": "", "others": [], "sheets": []}
+        texts, lists = ("positions", "scales", "readings", "placed"), ("sections", "others", "own", "sheets")
+        return {**dict.fromkeys(texts, ""), **dict.fromkeys(lists, ())}
     loose = [(one, sheet) for one in drawn for sheet in one.sheets]
     names = [press.sheet() for _ in loose]
     rows = [
@@ -179,6 +178,7 @@ def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
         "readings": _given(study, press),
         "placed": _placed(study, press.lang),
         "others": _others(study, press, drawn[1:]),
+        "own": own_steps(study.solution, ((study.where(one.phi), one.solution) for one in drawn[1:]), press),
         "sheets": [
             press.objects.add("sheet", _page(study, one, sheet, press.lang))
             for (one, _), sheet in zip(loose, bound([sheet for _, sheet in loose], names), strict=True)

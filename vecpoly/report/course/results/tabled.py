@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import chain, zip_longest
-from math import ceil, floor, log10
+from collections.abc import Sequence
+from math import floor, log10
 from typing import Any
 
 import numpy as np
@@ -89,23 +88,12 @@ def laid_out(made: Table, press: Press, title: Words, style: Style = SMALL, halv
         tuple(decimal(value, places) for value, places in zip(row, formats, strict=True))
         for row in made.values.tolist()
     ]
+    blocks = 1
     if len(header) <= halved and len(body) > _LONG:
-        header, body = _abreast(header, body, _MOST_ABREAST if len(header) <= _NARROW and len(body) > 2 * _LONG else 2)
-    return press.table(title, header, body, "r" * len(header), style=TINY if len(header) > TIGHT else style)
-
-
-def _abreast(header: list[str], body: Sequence[tuple[str, ...]], count: int) -> tuple[list[str], list[tuple[str, ...]]]:
-    """The rows in so many parts beside each other, a narrow empty column between them."""
-    high, blank = ceil(len(body) / count), ("",) * len(header)
-    parts = [body[n * high : (n + 1) * high] for n in range(count)]
-    rows = zip_longest(*parts, fillvalue=blank)
-    return [*header, *(["", *header] * (count - 1))], [tuple(chain(*_spaced(row))) for row in rows]
-
-
-def _spaced(row: Sequence[tuple[str, ...]]) -> Iterator[tuple[str, ...]]:
-    """The parts of a row with an empty cell between them."""
-    for n, part in enumerate(row):
-        yield part if n == 0 else ("", *part)
+        blocks = _MOST_ABREAST if len(header) <= _NARROW and len(body) > 2 * _LONG else 2
+    columns = blocks * (len(header) + 1) - 1  # with a blank one between two blocks
+    style = TINY if columns > TIGHT else style
+    return press.table(title, header, body, "r" * len(header), style=style, blocks=blocks)
 
 
 def _head(column: Column) -> str:

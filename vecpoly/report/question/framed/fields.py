@@ -3,7 +3,7 @@ nothing else, under it what is read off, to be written by hand, and the bar of t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from ....board.construction import Construction, Figure
@@ -16,6 +16,7 @@ from ..equations import numbers, runs
 from .bar import BAR, Bar, bar_of, barred
 from .known import begins_at
 from .readings import DROP, LINE, READ, Readings, readings
+from .room import is_free
 
 KEY = "equation"  # of what is written over a drawing
 FIELDS = (KEY, READ, BAR)
@@ -73,26 +74,35 @@ def _summed(figure: Figure) -> bool:
     return start is not None and start.dot is Dot.POLE and figure.view in SUMS
 
 
-def written(some: Fields, low: complex, high: complex) -> Iterator[Mark]:
-    """The lines in a frame from its lower left to its upper right corner."""
+def written(some: Fields, low: complex, high: complex, shown: Sequence[Mark] = ()) -> Iterator[Mark]:
+    """The lines in a frame from its lower left to its upper right corner; a bar that has no line of its own stands
+    where none of what is shown does."""
     top = complex(low.real, high.imag) - 1j * LINE / 2
     if some.equations:
         yield _note(_equations(some.equations), top)
     elif some.unnumbered:
         yield from _named(_EQUATION, top, high.real)
-    yield from _under(some, low, high.real)
+    yield from _under(some, low, high.real, shown)
 
 
-def _under(some: Fields, low: complex, end: float) -> Iterator[Mark]:
+def _under(some: Fields, low: complex, end: float, shown: Sequence[Mark]) -> Iterator[Mark]:
     """What stands at the foot: readings, and the bar beside them, or below where they leave no room."""
     foot, read = low + 1j * LINE / 2, some.read
     beside = end - _EDGE - (some.bar.wide if some.bar is not None else 0.0)
     aside = read is None or (beside - foot.real >= read.wide + _EDGE and not some.own)
     if some.bar is not None and (aside or some.own):
-        yield from barred(some.bar, complex(end - _EDGE, low.imag + LINE / 2))
+        right = complex(end - _EDGE, low.imag + LINE / 2)
+        yield from barred(some.bar, right if some.own else _clear(some.bar, right, foot + _EDGE, shown))
         foot, end = (foot, beside) if aside else (foot + 1j * LINE, end)
     if read is not None:
         yield from read.written(foot + _EDGE + 1j * (read.lines - 1) * LINE, end - _EDGE)
+
+
+def _clear(bar: Bar, right: complex, left: complex, shown: Sequence[Mark]) -> complex:
+    """Where the bar ends: at the right, or where something stands there, and nothing at the left, at the left."""
+    ends = (right, left + bar.wide)
+    half = 1j * LINE / 2
+    return next((end for end in ends if is_free(end - bar.wide - half, end + half, shown)), right)
 
 
 def _equations(found: tuple[int, ...]) -> Words:

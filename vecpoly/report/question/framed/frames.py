@@ -234,5 +234,5 @@ def _frame(figure: Figure, size: Size, known: Sequence[Mark], told: Fields) -> F
     return replace(
         figure,
         title=doubtful(figure.title),
-        marks=border + shown + tuple(written(told.within(figure, size[0]), low, high)),
+        marks=border + shown + tuple(written(told.within(figure, size[0]), low, high, shown)),
     )

@@ -96,9 +96,11 @@ class Readings(NamedTuple):
     def written(self, left: complex, right: float) -> Iterator[Mark]:
         """From the first line down, between the middle of its left end and this edge."""
         step = (right - left.real + _APART) / self.columns
+        slots = _slots(self.blanks, self.form)
+        rule = min(_LONGEST, *((step - _APART - _words(one)) / (len(one) - 1) for one in slots.values()))
         for n, one in enumerate(self.blanks):
-            at = left + n % self.columns * step - 1j * (n // self.columns) * LINE
-            yield from _rooms(one.texts(self.form), at, step - _APART)
+            at, texts = left + n % self.columns * step - 1j * (n // self.columns) * LINE, one.texts(self.form)
+            yield from _rooms(texts, slots[len(texts)], at, rule)
 
 
 def readings(construction: Construction, figure: Figure) -> Readings | None:
@@ -179,24 +181,32 @@ def _read_on(answer: Answer | None, acts: Sequence[Act], with_: type[Gauge | Mea
 
 
 def _cell(blanks: Sequence[Blank], form: Form) -> float:
-    """The room (mm) of the longest of these."""
-    return max(
-        sum(map(_wide, one.texts(form))) + (_ROOM + GAP + _BEHIND) * (len(one.texts(form)) - 1) for one in blanks
-    )
+    """The room (mm) of the longest line of these, the rules of all of them one under the other."""
+    return max(_words(one) + _ROOM * (len(one) - 1) for one in _slots(blanks, form).values())
+
+
+def _slots(blanks: Sequence[Blank], form: Form) -> dict[int, tuple[float, ...]]:
+    """Of lines of so many texts, how wide the widest of each place is (mm); that before the first rule of all lines."""
+    lines = [[*map(_wide, one.texts(form))] for one in blanks]
+    first = max(line[0] for line in lines)
+    alike = {count: [line[1:] for line in lines if len(line) == count] for count in map(len, lines)}
+    return {count: (first, *map(max, *some, some[0])) for count, some in alike.items()}
+
+
+def _words(slots: Sequence[float]) -> float:
+    """How wide a line is without its rules (mm)."""
+    return sum(slots) + (GAP + _BEHIND) * (len(slots) - 1)
 
 
 def _wide(text: str) -> float:
     return layout_words(text, NOTE).width if text else 0.0
 
 
-def _rooms(texts: Sequence[str], at: complex, width: float) -> Iterator[Mark]:
-    """The texts of a line with a rule between each two of them, no longer than a number needs, in all no wider than
-    this."""
-    words = sum(map(_wide, texts)) + (GAP + _BEHIND) * (len(texts) - 1)
-    rule = min((width - words) / (len(texts) - 1), _LONGEST)
-    for n, text in enumerate(texts):
+def _rooms(texts: Sequence[str], slots: Sequence[float], at: complex, rule: float) -> Iterator[Mark]:
+    """The texts of a line, each in its place, with a rule of this length between each two of them."""
+    for n, (text, slot) in enumerate(zip(texts, slots, strict=True)):
         yield Note(at=at, words=Words.same(text), side=1 + 0j, step=1, key=READ)
-        at += _wide(text) + GAP
+        at += slot + GAP
         if n < len(texts) - 1:
             start = at - 1j * DROP
             yield Segment(a=start, b=start + rule, role=Role.CONSTRUCTION, step=1, key=READ)
