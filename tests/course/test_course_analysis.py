@@ -278,7 +278,7 @@ def test_peaks_of_a_group_that_is_solved_by_iteration_are_remarked_on() -> None:
     it = study(solved("class-iii"))
     vars(it)["whole"] = replace(it.whole, whole=True)  # as if its crank went right round
     iterated = next(group for group in it.model.groups if group.loops is not None)
-    poor = Conditioning(group=iterated, least=0.001, largest=0.1, phi=1.0, top=0.0)
+    poor = Conditioning(group=iterated, least=0.001, largest=0.1, lows=(1.0,), tops=(0.0,))
     peaks = [Cause(key=key, spot=Spot(poor.phi, 1.0), by=poor, down=0.2, up=1.0) for key in ("omega_2", "alpha_2")]
     assert poor.is_poor
     assert any("$ω_{2}$ (" in words.en and "$α_{2}$ (" in words.en for words in remarks(it, peaks))

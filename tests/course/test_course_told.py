@@ -195,8 +195,6 @@ def test_a_curve_goes_through_the_oracle_s_values_and_within_its_axes(name: str,
         ("elliptic-trammel", 1.714983, "1715.0 mm"),
     ],
 )  # fmt: skip
-def test_a_position_of_the_drive_is_told_as_given_or_to_a_tenth_everywhere(
-    name: str, phi: float, told: str
-) -> None:
+def test_a_position_of_the_drive_is_told_as_given_or_to_a_tenth_everywhere(name: str, phi: float, told: str) -> None:
     it = studied(name)
     assert it.place(phi) == told and it.where(phi).endswith(f" = {told}")

@@ -122,7 +122,7 @@ def test_every_sheet_on_which_anything_asks_for_a_legend_has_one(name: str) -> N
         ),
         (
             "cam-flat-arm",
-            {"nearest, farthest contact", "pivot in that position", "base circle", "circle of the pivots"},
+            {"nearest, farthest contact", "foot of $A$ on that face", "base circle", "circle of the pivots"},
             {"farthest instant centre, rise, return", "offset circle", "circle of a pin"},
         ),
         ("cam-roller-offset", {"base circle", "offset circle", "roller"}, {"circle of the pivots"}),

@@ -18,19 +18,27 @@ from .study.study import Study
 ILL = float(np.sin(np.radians(10.0)))
 SHORT = 0.35  # of its largest value: a determinant that is no sine of an angle
 NONE = 1e-6  # a measure that is none, as at a change point
+_NEAR = 1e-2  # of the range: how far a position of the grid may be from the extreme beside it
+_ALIKE = 1e-6  # of the largest size: two extremes are one
 _ZOOM, _ROUNDS = 21, 5  # places in a bracket; each round makes it ten times narrower
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Conditioning:
-    """How a group's determinant varies over the cycle: least and largest absolute value, and where they stand."""
+    """How a group's determinant varies over the cycle: least and largest absolute value, and all the places of each,
+    in order."""
 
     group: GroupModel
     least: float
     largest: float
-    phi: float
-    top: float
+    lows: tuple[float, ...]
+    tops: tuple[float, ...]
     gamma: Transmission | None = None  # where the determinant is a product of lengths and sin γ
+
+    @property
+    def phi(self) -> float:
+        """Where it is least."""
+        return self.lows[0]
 
     @property
     def measure(self) -> float:
@@ -112,13 +120,27 @@ def determinant(study: Study, group: GroupModel, phi: NDArray[np.float64]) -> ND
         )
 
 
-def _refined(study: Study, group: GroupModel, sizes: NDArray[np.float64], sign: float) -> tuple[float, float]:
-    """The place and value of the largest (sign 1) or least (−1) size, between the positions of the grid."""
+def _refined(
+    study: Study, group: GroupModel, sizes: NDArray[np.float64], sign: float
+) -> tuple[tuple[float, ...], float]:
+    """The places and the value of the largest (sign 1) or least (−1) size, between the positions of the grid."""
+    k, size = int(np.nanargmax(sign * sizes)), float(np.nanmax(sizes))
+    span = float(np.ptp(sizes[np.isfinite(sizes)]))
+    if span < 1e-9 * size:
+        return (float(study.turn.phi[k]),), float(sizes[k])
+    heights = np.nan_to_num(sign * sizes, nan=-np.inf)
+    edged = np.pad(heights, 1, constant_values=-np.inf)
+    peaks = (heights >= edged[:-2]) & (heights >= edged[2:]) & (heights >= heights[k] - _NEAR * span)
+    found = [_zoomed(study, group, sizes, int(j), sign) for j in np.flatnonzero(peaks)]
+    best = max(found, key=lambda one: sign * one[1])
+    alike = [at for at, value in found if abs(value - best[1]) <= _ALIKE * size]
+    return tuple(sorted(alike)), best[1]
+
+
+def _zoomed(study: Study, group: GroupModel, sizes: NDArray[np.float64], k: int, sign: float) -> tuple[float, float]:
+    """The same about one position of the grid."""
     phi = study.turn.phi
-    k = int(np.nanargmax(sign * sizes))
     at, half = float(phi[k]), float(phi[1] - phi[0])
-    if float(np.ptp(sizes[np.isfinite(sizes)])) < 1e-9 * float(np.nanmax(sizes)):
-        return at, float(sizes[k])
     for _ in range(_ROUNDS if study.model.closed else 0):
         near = at + np.linspace(-half, half, _ZOOM)
         near = near if study.whole.whole else np.clip(near, study.whole.low, study.whole.high)

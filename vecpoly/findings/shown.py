@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import isclose
 
 import numpy as np
@@ -52,7 +53,12 @@ def alike(study: Study, found: Extremes, spot: Spot) -> list[Spot]:
 
 def places(study: Study, found: Extremes, spot: Spot) -> Words:
     """All the positions of the input link in which a turning point is as high (or low) as this one."""
-    every = list(dict.fromkeys(study.where(s.phi) for s in alike(study, found, spot)))
+    return listed(study, [s.phi for s in alike(study, found, spot)])
+
+
+def listed(study: Study, at: Iterable[float]) -> Words:
+    """Positions of the input link, once each: $φ_1$ = 112.6° and 247.4°."""
+    every = list(dict.fromkeys(study.where(phi) for phi in at))
     told = [every[0], *(place.split(" = ")[1] for place in every[1:])]
     return Words("、".join(told), " and ".join(told))
 

@@ -12,6 +12,8 @@ from ...cycle.shaking import FORCE, MOMENT
 from ...foundation.slotted import replace
 from ...mechanism.groups.assur import pivot_of
 from ...mechanism.loads import Loads, Mass
+from ...oracle.machine.balance import counterweights
+from ...oracle.machine.counterweighted import shaking as counterweighted
 from ...words import Words
 from ..study.study import Study
 
@@ -43,13 +45,17 @@ class Best:
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Shaking:
     """force, moment: their extremes over the cycle. weights: of the links whose centres of mass are off their pivots;
-    left: the greatest force with all of them (N). best: of the crank alone, where it turns right round and evenly."""
+    left: the greatest force with all of them (N), rest: the links that it comes from. best: of the crank alone, where
+    it turns right round and evenly. designed: the greatest force (N) with the counterweights that the problem asks
+    for, None where it asks for none."""
 
     force: Extremes
     moment: Extremes
     weights: tuple[Weight, ...]
     left: float
+    rest: tuple[str, ...]
     best: Best | None
+    designed: float | None
 
 
 def shaking(study: Study) -> Shaking | Words | None:
@@ -63,13 +69,15 @@ def shaking(study: Study) -> Shaking | Words | None:
         return Words("题目规定不计惯性力", "the problem neglects inertia forces")
     if not study.varies(FORCE.key):
         return Words("机构的惯性力不随位置变化", "the shaking force is the same all through")
-    weights = tuple(_weights(study, loads))
+    weights, force = tuple(_weights(study, loads)), study.extremes(FORCE.key)
     return Shaking(
-        force=study.extremes(FORCE.key),
+        force=force,
         moment=study.extremes(MOMENT.key),
         weights=weights,
         left=_left(study.whole, loads, {one.link for one in weights}),
+        rest=tuple(dict.fromkeys(one.link for one in loads.masses if not pivot_of(study.mech, one.link))),
         best=best(study),
+        designed=_designed(study, force),
     )
 
 
@@ -94,6 +102,15 @@ def _left(whole: Cycle, loads: Loads, balanced: set[str]) -> float:
         return 0.0
     spot = extremes(whole.under(rest), FORCE.key).highest
     return spot.value if spot is not None else 0.0
+
+
+def _designed(study: Study, without: Extremes) -> float | None:
+    """The greatest force with the counterweights that the problem asks for; 0 where only rounding is left (N)."""
+    asked = study.problem.counterweights
+    if asked is None:
+        return None
+    left = counterweighted(study.mech, asked, counterweights(study.mech, asked)).largest[0]
+    return left if without.highest is None or left > NOTHING * without.highest.value else 0.0
 
 
 def best(study: Study) -> Best | None:

@@ -34,7 +34,7 @@ _ROWS: tuple[tuple[str, Row], ...] = (  # what they follow from is how they are 
     (r"\$δ\$", ("$δ$", Words("速度不均匀系数", "coefficient of speed fluctuation"), "—")),
     (r"\$J_F\$", ("$J_F$", Words("飞轮的转动惯量", "moment of inertia of the flywheel"), "kg·m²")),
     (r"\$r_\{Si\}\$", ("$r_{Si}$", Words("由简化中心到质心 $S_i$ 的矢径", "position vector of the centre $S_i$"), "m")),
-    (r"\$m_c r_c\$", ("$m_c r_c$", Words("配重的质径积", "mass-radius product of a counterweight"), "kg·m")),
+    (r"\$m_c r_c\$", ("$m_c r_c$", Words("静平衡配重的质径积", "mass-radius product, static balance"), "kg·m")),
     (r"\$F_I\$", ("$F_I$", Words("总惯性力", "resultant inertia force"), "N")),
     (r"\$M_I\$", ("$M_I$", Words("总惯性力矩", "resultant inertia moment"), "N·m")),
     (

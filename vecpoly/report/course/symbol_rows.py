@@ -12,7 +12,7 @@ from ...figures import views
 from ...findings.study.study import Study
 from ...foundation.indices import LETTER
 from ...mechanism.asked.forces import load_symbol
-from ...names import subscripted
+from ...names import Named, subscripted
 from ...words import Words
 from .spoken_symbols import Row
 
@@ -185,7 +185,8 @@ def curvatures(study: Study) -> Iterator[Row]:
     """What was found of the kinematic geometry of a link, and the poles of its centrodes."""
     found: dict[str, list[str]] = {}
     for key, answer in study.solution.answers.items():
-        found.setdefault(key.partition("_")[0], []).append(f"${answer.rel.symbol}$")
+        if isinstance(answer.rel, Named) and answer.rel.is_curved:
+            found.setdefault(key.partition("_")[0], []).append(f"${answer.rel.symbol}$")
     for stem, words, unit in _CURVED:
         if stem in found:
             yield "、".join(found[stem]), words, unit

@@ -9,7 +9,7 @@ from typing import Any
 from ....findings.advice import advice, is_square
 from ....findings.conditioning import Conditioning, conditioning
 from ....findings.motion import motion
-from ....findings.shown import dead_points
+from ....findings.shown import dead_points, listed
 from ....findings.study.study import Study
 from ....words import Lang, Words
 from ..checks.comparison import Compared
@@ -72,7 +72,7 @@ def _conditioned(study: Study, press: Press, groups: list[Conditioning]) -> str:
 
 
 def _row(study: Study, one: Conditioning, lang: Lang) -> tuple[str, ...]:
-    low, high = ("—", "—") if _is_steady(one) else (study.where(phi).split(" = ")[1] for phi in (one.phi, one.top))
+    low, high = ("—", "—") if _is_steady(one) else (_at(study, at, lang) for at in (one.lows, one.tops))
     square = Words("恒为 90°", "always 90°").of(lang) if is_square(study, one) else "—"
     return (
         one.group.title.of(lang),
@@ -86,6 +86,10 @@ def _row(study: Study, one: Conditioning, lang: Lang) -> tuple[str, ...]:
     )
 
 
+def _at(study: Study, at: Sequence[float], lang: Lang) -> str:
+    return listed(study, at).of(lang).split(" = ")[1]
+
+
 def _is_steady(one: Conditioning) -> bool:
     """Whether the determinant does not change."""
     return one.ratio > 1 - 1e-9
@@ -93,15 +97,15 @@ def _is_steady(one: Conditioning) -> bool:
 
 def _only(study: Study, one: Conditioning, *, advised: bool) -> Words:
     """The only group's determinant, its minimum transmission angle (which advice tells, too), and the verdict."""
-    group, by, low, high = one.group.title, f"$|{one.symbol}|$", study.where(one.phi), study.where(one.top)
+    group, by, low, high = one.group.title, f"$|{one.symbol}|$", listed(study, one.lows), listed(study, one.tops)
     told = Words(f"{group.zh}的行列式 {by} 不变", f"The determinant {by} of the {group.en} does not change")
     if not _is_steady(one):
         share = Words(f"，为最大值的 {one.ratio:.3f} 倍", f", {one.ratio:.3f} of its largest")
         if one.is_none:
             share = Words("，为零", ", where it is zero")
         told = Words(
-            f"{group.zh}的行列式 {by} 在 {high} 处最大，在 {low} 处最小",
-            f"The determinant {by} of the {group.en} is largest at {high} and least at {low}",
+            f"{group.zh}的行列式 {by} 在 {high.zh} 处最大，在 {low.zh} 处最小",
+            f"The determinant {by} of the {group.en} is largest at {high.en} and least at {low.en}",
         )
         told += share
     if is_square(study, one):

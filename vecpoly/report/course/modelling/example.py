@@ -3,7 +3,6 @@ with numbers put in, or as a table where there are many formulas."""
 
 from __future__ import annotations
 
-from math import degrees, pi
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ import numpy as np
 from ....algebra.quantity import number
 from ....analytic.equations import Equation, GroupModel
 from ....analytic.expr import Var
-from ....analytic.keyed import ANGLES, as_told, size
+from ....analytic.keyed import ANGLES, as_told, size, turned
 from ....analytic.numbers import unit, worked
 from ....findings.study.study import Study
 from ....words import Words
@@ -109,5 +108,5 @@ def _table(study: Study, press: Press, envs: list[dict[str, float]]) -> str:
 def _valued(symbol: str, value: float) -> tuple[str, str]:
     """The number and its unit."""
     if symbol[0] in "φψ":
-        return f"{degrees((value + pi) % (2 * pi) - pi):.3f}".replace("-", "−"), "°"
+        return turned(value).removesuffix("°"), "°"
     return number(value, 5), unit(symbol).replace("^2", "²") or "—"

@@ -4,11 +4,12 @@ room for their numbers; paths and hodographs of half the width, two beside each 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
-from ....cycle import Cycle
+from ....cycle import Cycle, extremes
 from ....drawing.hues import ink_of
 from ....drawing.scene import Scene
 from ....figures.hue import Hue
@@ -45,7 +46,7 @@ def curve(study: Study, lang: str, keys: Sequence[str], turn: Cycle | None = Non
         width=width,
         panel=panel,
         inks=inks(study, keys),
-        known=study.extremes if turn is None else None,
+        known=study.extremes if turn is None else partial(extremes, turn),
     )
     return plot.scene, plot.title
 
