@@ -66,3 +66,16 @@ def test_the_two_ends_of_a_thrust_have_names_of_their_own_on_the_lever(name: str
     (lever,) = (figure for figure in construction.figures if "lever" in figure.title.en)
     arrows = [mark.label for mark in lever.marks if isinstance(mark, Vector) and mark.label.startswith("F_{c")]
     assert sorted(arrows) == ["F_{c}", "F_{c′}"]
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({}, "whose links have masses, is no two-force member"),
+        ({"friction": {"C": {"rho": "4 mm"}}}, "whose links have masses and in which there is friction, is no"),
+        ({"masses": {1: {"mass": "220 kg", "centre": "C"}}, "friction": {"2-3": {"f": 0.1}}}, "3, in which there is"),
+    ],
+)
+def test_a_cylinder_that_is_no_two_force_member_is_told_for_what_holds(changed: dict[str, object], said: str) -> None:
+    find = {"find": ["F_c"]}
+    assert said in told(exactly(problem(data_of(load(HEAVY)) | find | changed)))

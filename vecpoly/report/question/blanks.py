@@ -8,6 +8,7 @@ from ...algebra.formula import plain
 from ...board.acts import Compute
 from ...board.construction import Reading
 from ...designs.inversion.positions import MANY, Positions
+from ...devices.base import Device
 from ...errors import UnknownNameError
 from ...mechanism.model import Mechanism
 from ...names import Kind, Named, Rel, parse_rel, written_unit
@@ -187,7 +188,10 @@ def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
 
 
 def _on_the_way(solution: Solution) -> list[Rel]:
-    """The velocities and accelerations that are computed, neither asked nor given."""
+    """The velocities and accelerations that are computed, neither asked nor given; none of a device, of which it is for
+    the solver to see what is needed."""
+    if isinstance(solution.problem.subject, Device):
+        return []
     known = {*solution.answers, *(_bare(datum.symbol) for datum in solution.problem.given.data)}
     keys = dict.fromkeys(act.key for act in solution.construction.acts if isinstance(act, Compute))
     return [rel for key in keys if (rel := _motion(key)) is not None and not known & {key, _bare(rel.symbol)}]
