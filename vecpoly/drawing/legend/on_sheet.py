@@ -15,8 +15,7 @@ from ..sheets.sheet import Sheet
 from ..sheets.space import FRAME, STRIP, TALLEST
 from ..style import THIN
 from .legend import Cell, Grid, band, blocks, cells, entries
-from .moved_up import over_band
-from .places import standing
+from .places import over_band, standing
 from .vectors import key_of_vectors
 
 WHITE = 4.0  # mm over and under the figures of a page that keeps a band for its legend
