@@ -8,11 +8,12 @@ import pytest
 
 from vecpoly.board.paper.marks import Dot, Mark, Passing, Point, Role, Segment
 from vecpoly.board.paper.tones import whose
+from vecpoly.drawing.legend import on_sheet
 from vecpoly.drawing.legend.kinds import kinds_met
-from vecpoly.drawing.legend.legend import entries
+from vecpoly.drawing.legend.legend import cells, entries
 from vecpoly.drawing.legend.on_sheet import with_legend
-from vecpoly.drawing.scene import TextBox
-from vecpoly.drawing.sheets.sheet import sheets
+from vecpoly.drawing.scene import Stroke, TextBox
+from vecpoly.drawing.sheets.sheet import Sheet, sheets
 from vecpoly.foundation.slotted import replace
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
@@ -84,3 +85,19 @@ def test_what_lies_under_something_thicker_is_in_no_legend() -> None:
 
 def test_each_sheet_of_a_structure_tells_of_no_line_that_is_covered() -> None:
     assert "bar runs on past the pin" not in told("2-8full") and "centre or reference line" not in told("2-7")
+
+
+def test_a_legend_on_several_blocks_has_one_title_and_says_that_it_goes_on() -> None:
+    """A course report had three boxes on one sheet, each of which was called the legend."""
+    made = sheets(solve(load("3-9"), repeats=0, precise=False).construction, lang="en")
+    (sheet, *_) = made
+    some = cells(entries([one.figure for one in sheet.figures if one.figure is not None], "en"), "en")
+    parted = on_sheet._parted(sheet, some, len(some) // 2, 2)
+    assert parted is not None
+    titles = [item.box.text for item in parted.results if isinstance(item, TextBox) and "Legend" in item.box.text]
+    assert titles in (["Legend", "Legend (continued)"], ["Legend"]) and len(titles) == _frames(parted)
+
+
+def _frames(sheet: Sheet) -> int:
+    """The blocks of a sheet that has a frame about each."""
+    return sum(isinstance(item, Stroke) and item.closed and len(item.points) == 4 for item in sheet.results)
