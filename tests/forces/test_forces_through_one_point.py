@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tests.at_once import exactly
-from vecpoly import Solution, load, problem
+from vecpoly import load, problem
 from vecpoly.board.paper.marks import Vector
 from vecpoly.problem.values.vary import data_of
+from vecpoly.solution import Solution
 
 HEAVY = "boom-heavy-cylinder"
 
@@ -24,7 +25,8 @@ def told(solution: Solution) -> str:
 
 def weighing(centre: object) -> dict[str, object]:
     """Its masses, that of the piston at this centre."""
-    return data_of(load(HEAVY))["masses"] | {3: {"mass": "110 kg", "centre": centre}}
+    masses: dict[str, object] = data_of(load(HEAVY))["masses"]
+    return masses | {"3": {"mass": "110 kg", "centre": centre}}
 
 
 @pytest.mark.parametrize("size", ["200 N", "500 N", "3 kN"])

@@ -19,12 +19,13 @@ from vecpoly.drawing.sheets.sheet import Hung
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.names import written_unit
 from vecpoly.report.question.blanks import empty_table, is_framed
-from vecpoly.report.question.columns import NONE, Framed
+from vecpoly.report.question.columns import Framed
 from vecpoly.report.question.framed.aligned import CLOSE, aligned
 from vecpoly.report.question.framed.fields import KEY
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.origin import ORIGIN
 from vecpoly.report.question.framed.readings import READ, lined, readings, valued
+from vecpoly.report.question.ruled import NONE
 from vecpoly.report.statement.asked import asked
 from vecpoly.words import bare
 
