@@ -372,7 +372,7 @@ def test_the_step_calls_full_lines_those_that_are(name: str) -> None:
     """A centre of which only the common normal is known is dashed until it is found."""
     solution = load(name).solve(by="exact")
     told = next(step.words for step in solution.construction.steps if "用实线" in step.words.zh)
-    for text, before, after in ((told.zh, "在瞬心多边形上", "用实线"), (told.en, "In the polygon", "full line")):
+    for text, before, after in ((told.zh, "在瞬心多边形上", "用实线"), (told.en, "In the circle diagram", "full line")):
         part = text.split(before)[1].split(after)[0]
         named = re.findall(r"P_\{?(\d+)", part) or re.findall(r"P_\{?(\d+)", text)
         pairs = [pair_of(solution.problem.mechanism, *map(solution.problem.mechanism.named, one)) for one in named]

@@ -6,11 +6,15 @@ from functools import cache
 
 import pytest
 
+from vecpoly.board.paper.marks import Dot, Mark, Passing, Point, Role, Segment
 from vecpoly.board.paper.tones import whose
-from vecpoly.drawing.legend.legend import entries
+from vecpoly.drawing.legend import on_sheet
+from vecpoly.drawing.legend.kinds import kinds_met
+from vecpoly.drawing.legend.legend import cells, entries
 from vecpoly.drawing.legend.on_sheet import with_legend
-from vecpoly.drawing.scene import TextBox
-from vecpoly.drawing.sheets.sheet import sheets
+from vecpoly.drawing.scene import Stroke, TextBox
+from vecpoly.drawing.sheets.sheet import Sheet, sheets
+from vecpoly.foundation.slotted import replace
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
 
@@ -61,3 +65,39 @@ def test_a_force_that_is_cut_at_the_ring_of_a_detail_is_no_deviation_from_a_curv
     cut = [one for sheet in made for one in sheet.figures if one.figure is not None and one.figure.name[-1:].isdigit()]
     told = " ".join(item.box.text for one in made for item in with_legend(one).results if isinstance(item, TextBox))
     assert cut and "friction" in told and "deviation" not in told and "path of a point" not in told
+
+
+def legend_of(*marks: Mark) -> list[str]:
+    """What a legend tells of a diagram with these."""
+    (figure, *_) = solve(load("3-9"), repeats=0, precise=False).construction.figures
+    return [one.words.en for one in kinds_met([replace(figure, marks=marks)], "en")]
+
+
+def test_what_lies_under_something_thicker_is_in_no_legend() -> None:
+    """2-8full told of a bar that runs on past a multiple joint, 2-7 of a centre line under a bar: nobody saw either."""
+    past, pin = Passing(at=5 + 5j, along=1 + 0j), Point(at=5 + 5j, label="A", dot=Dot.MULTIPLE)
+    axis, bar = (Segment(a=low, b=high, role=role) for low, high, role in ((2j, 9j, Role.CENTRE), (0j, 9j, Role.LINK)))
+    assert "bar runs on past the pin" in legend_of(past, replace(pin, dot=Dot.JOINT))
+    assert "bar runs on past the pin" not in legend_of(past, pin)
+    assert "centre or reference line" in legend_of(axis, replace(bar, b=8j))
+    assert "centre or reference line" not in legend_of(axis, bar)
+
+
+def test_each_sheet_of_a_structure_tells_of_no_line_that_is_covered() -> None:
+    assert "bar runs on past the pin" not in told("2-8full") and "centre or reference line" not in told("2-7")
+
+
+def test_a_legend_on_several_blocks_has_one_title_and_says_that_it_goes_on() -> None:
+    """A course report had three boxes on one sheet, each of which was called the legend."""
+    made = sheets(solve(load("3-9"), repeats=0, precise=False).construction, lang="en")
+    (sheet, *_) = made
+    some = cells(entries([one.figure for one in sheet.figures if one.figure is not None], "en"), "en")
+    parted = on_sheet._parted(sheet, some, len(some) // 2, 2)
+    assert parted is not None
+    titles = [item.box.text for item in parted.results if isinstance(item, TextBox) and "Legend" in item.box.text]
+    assert titles == ["Legend", "Legend (continued)"] and len(titles) == _frames(parted)
+
+
+def _frames(sheet: Sheet) -> int:
+    """The blocks of a sheet that has a frame about each."""
+    return sum(isinstance(item, Stroke) and item.closed and len(item.points) == 4 for item in sheet.results)

@@ -46,7 +46,7 @@ def test_a_thrust_between_two_moving_links_is_the_same_by_every_way(speed: str, 
 def test_the_lever_has_both_ends_of_a_thrust_and_measures_between_their_lines() -> None:
     construction = solve(between("-0.2 m/s", "-90 deg"), by="exact", repeats=0, precise=False).construction
     pane = next(figure for figure in construction.figures if figure.name == "lever")
-    arrows = [mark for mark in pane.marks if isinstance(mark, Vector) and mark.key == "F_c"]
+    arrows = [mark for mark in pane.marks if isinstance(mark, Vector) and mark.label[:4] == "F_{c"]
     assert len(arrows) == 2 and abs(sum(mark.b - mark.a for mark in arrows)) < 1e-9
 
 

@@ -20,12 +20,14 @@ from vecpoly.board.place import Pane, View, called
 from vecpoly.drawing.sheets.sheet import Hung
 from vecpoly.figures.balancing import HODOGRAPH
 from vecpoly.names import written_unit
-from vecpoly.report.question.blanks import empty_table
+from vecpoly.report.question.blanks import empty_table, is_framed
+from vecpoly.report.question.columns import Framed
 from vecpoly.report.question.framed.aligned import CLOSE, aligned
 from vecpoly.report.question.framed.fields import KEY
 from vecpoly.report.question.framed.frames import frames
 from vecpoly.report.question.framed.origin import ORIGIN
-from vecpoly.report.question.framed.readings import READ, lined, readings
+from vecpoly.report.question.framed.readings import READ, lined, readings, valued
+from vecpoly.report.question.ruled import NONE
 from vecpoly.report.statement.asked import asked
 from vecpoly.words import bare
 
@@ -256,6 +258,32 @@ def test_what_is_read_in_a_frame_has_the_unit_of_its_row_in_the_table_of_results
 @pytest.mark.parametrize(("name", "column"), [("8-14", False), ("curv-3", False), ("3-9", True), ("4-3a", True)])
 def test_a_length_that_has_its_line_in_a_frame_is_not_written_into_the_table_once_more(name: str, column: bool) -> None:
     """8-14 had each of its four lengths on paper twice; where one has no line (v_B on the way) the table has room."""
-    table = empty_table(drawn(name).solution, "en", lined(blank_of(name)[0]))
+    table = empty_table(drawn(name).solution, "en", Framed(lined(blank_of(name)[0])))
     assert ("On paper /mm" in table.header) is column
     assert "On paper /mm" in empty_table(drawn(name).solution, "en").header
+
+
+@each(Later(lambda: ["8-6-2", "cam-heart", "hand-lever", "3-4a", *DRAWN]))
+def test_each_length_and_each_value_has_one_place_on_a_question_sheet(name: str) -> None:
+    """8-6-2 asked for l_AB in mm under its frame, and in its table once more; cam-heart for α in degrees."""
+    solution, sheets = drawn(name).solution, blank_of(name)[0]
+    framed = Framed(lined(sheets), valued(sheets))
+    if is_framed(solution, framed):
+        assert {one.reading.symbol for one in solution.answers.values()} <= framed.valued
+        return
+    table = empty_table(solution, "en", framed)
+    whole = {row[0]: row for row in empty_table(solution, "en").rows}
+    assert {row[0] for row in table.rows} <= {*whole}
+    heads = [one for one in table.header if one in ("On paper /mm", "Value")]
+    for row in table.rows if len({*table.header}) == len(table.header) else ():
+        symbol = bare(row[0]).split()[-1]
+        for head in heads:
+            framed_here = framed.lined if head == "On paper /mm" else framed.valued
+            if symbol in {bare(f"${one}$") for one in framed_here} and whole[row[0]][1] != NONE:
+                assert row[table.header.index(head)] == NONE, (symbol, head)
+
+
+def test_a_question_whose_frames_have_room_for_all_values_has_no_table() -> None:
+    for name, framed_all in (("8-6-2", True), ("cam-heart", False), ("3-4a", False)):
+        sheets = blank_of(name)[0]
+        assert is_framed(drawn(name).solution, Framed(lined(sheets), valued(sheets))) is framed_all

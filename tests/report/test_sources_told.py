@@ -64,9 +64,9 @@ def test_the_source_of_a_problem_without_one_is_nothing() -> None:
 def test_a_moment_that_is_found_by_another_way_is_asked_once_more() -> None:
     solution = vecpoly.load("plate-reactions").solve(by="exact")
     assert asked(solution, "zh").startswith("平衡力矩$M_{1}$") and asked(solution, "zh").endswith(
-        "再用速度多边形杠杆法求 $M_{1}$"
+        "$M_{1}$ 的校核值（速度多边形杠杆法）"
     )
-    assert asked(solution, "en").endswith("$M_{1}$ again by the Zhukovsky lever")
+    assert asked(solution, "en").endswith("$M_{1}$ as a check, by the Zhukovsky lever")
 
 
 def test_a_condition_that_is_met_says_so_and_gives_no_reason_twice() -> None:

@@ -13,7 +13,6 @@ from ...board.paper.marks import (
     GearMark,
     Hatched,
     ImageOf,
-    Passing,
     Point,
     RackMark,
     Role,
@@ -30,6 +29,7 @@ from ..style import Dash
 from ..symbols.around import RING
 from .bodies import BODIES, CURVES
 from .circles import FINE, ROUNDS, THIN, is_return_circle, of_rack, osculating
+from .covered import is_centre_line, is_passing
 from .entry import HALF, MIDDLE, WIDE, Entry, drawn_as_on
 from .kind import Kind
 from .met import (
@@ -195,11 +195,7 @@ KINDS: tuple[Kind, ...] = (
         sample=lambda _: (FrictionCircle(centre=MIDDLE, radius=HALF + 0.4), Point(at=MIDDLE, label="", dot=Dot.POLE)),
     ),
     Kind(words=Words("复合铰链", "multiple joint"), met=dotted(Dot.MULTIPLE), sample=pinned(Dot.MULTIPLE)),
-    Kind(
-        words=Words("杆件连续，销在杆中", "bar runs on past the pin"),
-        met=lambda _, mark: isinstance(mark, Passing),
-        sample=passing,
-    ),
+    Kind(words=Words("杆件连续，销在杆中", "bar runs on past the pin"), met=is_passing, sample=passing),
     Kind(words=Words("质心", "centre of mass"), met=dotted(Dot.MASS), sample=pinned(Dot.MASS)),
     *BODIES,
     Kind(words=Words("固连为一体", "rigidly joined"), met=lambda _, mark: isinstance(mark, Weld), sample=welded),
@@ -217,7 +213,7 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind(
         words=Words("中心线、基准线", "centre or reference line"),
-        met=traced(Role.CENTRE, Segment),
+        met=is_centre_line,
         sample=line,
         plain=True,
         brief=Words("中心线", "centre line"),

@@ -19,7 +19,7 @@ from .kinds import FOUND, KNOWN, kinds_met, side_by_side
 from .letters import letters_met, resting_met
 from .vectors import key_of_vectors
 
-TITLE = Words("图例", "Legend")
+TITLE, MORE = Words("图例", "Legend"), Words("图例（续）", "Legend (continued)")
 PAD, GAP, BESIDE = 2.4, 1.6, 5.0  # mm: to the edge of a legend; sample to words; between columns
 PITCH = 5.2  # mm: row to row
 CLOSE_PAD, CLOSE_PITCH = 1.5, 4.4  # mm: the same of a band for which there is hardly room
@@ -79,9 +79,10 @@ def band(some: Sequence[Cell], lang: Lang, width: float, *, close: bool = False)
     return _grid(columns, title, min(max(BESIDE, spare), WIDEST), beside=True, width=width, close=close)
 
 
-def blocks(some: Sequence[Cell], lang: Lang, most: float) -> Iterator[Grid]:
-    """In one to four columns under the title, those first that are about twice as wide as high."""
-    title = _set(TITLE.of(lang), True)
+def blocks(some: Sequence[Cell], lang: Lang, most: float, *, more: bool = False) -> Iterator[Grid]:
+    """In one to four columns under the title, those first that are about twice as wide as high. more: what is left of a
+    legend that another block begins."""
+    title = _set((MORE if more else TITLE).of(lang), True)
     made = (_grid(_columns(some, ceil(len(some) / n)), title, BESIDE) for n in range(1, min(4, len(some)) + 1))
     yield from sorted((one for one in made if one.width <= most), key=lambda one: abs(one.width / one.height - 2.0))
 

@@ -15,8 +15,7 @@ from ..sheets.sheet import Sheet
 from ..sheets.space import FRAME, STRIP, TALLEST
 from ..style import THIN
 from .legend import Cell, Grid, band, blocks, cells, entries
-from .moved_up import over_band
-from .places import standing
+from .places import over_band, standing
 from .vectors import key_of_vectors
 
 WHITE = 4.0  # mm over and under the figures of a page that keeps a band for its legend
@@ -103,23 +102,23 @@ def _with_blocks(sheet: Sheet, sets: Sequence[Sequence[Cell]], inks: int) -> She
     return next((one for one in split if one is not None), None) or _as_many(sheet, sets[-1])
 
 
-def _parted(sheet: Sheet, some: Sequence[Cell], inks: int, most: int = BLOCKS) -> Sheet | None:
+def _parted(sheet: Sheet, some: Sequence[Cell], inks: int, most: int, *, more: bool = False) -> Sheet | None:
     """All of these on so many blocks at most, of so many inks of vectors and of the rest where they have room so; None
     where they have none."""
     if not some or most < 1:
         return None if some else sheet
     for first in sorted(range(1, len(some) + 1), key=lambda count: abs(count - inks)):
-        one = _with_block(sheet, (some[:first],))
-        if one is not sheet and (made := _parted(one, some[first:], len(some) - first, most - 1)) is not None:
+        one, left = _with_block(sheet, (some[:first],), more=more), len(some) - first
+        if one is not sheet and (made := _parted(one, some[first:], left, most - 1, more=True)) is not None:
             return made
     return None
 
 
-def _as_many(sheet: Sheet, some: Sequence[Cell], most: int = BLOCKS) -> Sheet:
+def _as_many(sheet: Sheet, some: Sequence[Cell], most: int = BLOCKS, *, more: bool = False) -> Sheet:
     """As many of these, in order, as have room on so many blocks."""
     for count in range(len(some), 0, -1) if most else ():
-        if (one := _with_block(sheet, (some[:count],))) is not sheet:
-            return _as_many(one, some[count:], most - 1)
+        if (one := _with_block(sheet, (some[:count],), more=more)) is not sheet:
+            return _as_many(one, some[count:], most - 1, more=True)
     return sheet
 
 
@@ -141,9 +140,10 @@ def _grown(plate: Sheet, grid: Grid) -> Sheet:
     return replace(grown, results=(*_ruled(grid, grown), *_moved(plate.results, up)))
 
 
-def _with_block(sheet: Sheet, sets: Sequence[Sequence[Cell]]) -> Sheet:
-    """With the first of these that has room beside the others; as it is where none has."""
-    found = standing(sheet, (one for some in sets if some for one in blocks(some, sheet.lang, sheet.room[0] * MOST)))
+def _with_block(sheet: Sheet, sets: Sequence[Sequence[Cell]], *, more: bool = False) -> Sheet:
+    """With the first of these that has room beside the others; as it is where none has. more: after another block."""
+    wide = sheet.room[0] * MOST
+    found = standing(sheet, (one for some in sets if some for one in blocks(some, sheet.lang, wide, more=more)))
     return sheet if found is None else replace(sheet, results=(*sheet.results, *_framed(*found, sheet)))
 
 

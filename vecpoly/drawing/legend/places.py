@@ -1,4 +1,5 @@
-"""Where a block stands on a sheet: on no ink, in a corner of the frame, along it, or between the figures."""
+"""Where a legend has room on a sheet: a block on no ink, in a corner of the frame, along it, or between the figures; a
+band under figures that are laid out anew, closer together."""
 
 from __future__ import annotations
 
@@ -7,16 +8,33 @@ from itertools import pairwise
 
 import numpy as np
 
+from ...foundation.slotted import replace
 from ..details.room import CELL, Room, Spots, filled, spread
 from ..scene import Item, Rect, TextBox
 from ..sheets.boxes.redbox import BAND
-from ..sheets.sheet import Sheet
+from ..sheets.packing import pack
+from ..sheets.pages import pairs_of
+from ..sheets.settling.settled import settled
+from ..sheets.sheet import Sheet, placed
 from ..sheets.space import FRAME, STRIP
 from .legend import Grid
 
 MARGIN, CLEAR = 4.0, 3.5  # mm of white to the frame; to whatever stands on the sheet
 OVER = 60.0  # mm from a corner that a place beside all figures is worth
 LATER = 0.01  # mm for each mm that it stands farther from the lower right corner
+
+
+def over_band(sheet: Sheet, height: float, white: float) -> Sheet | None:
+    """The sheet with its figures in what a band of this height leaves of it, with so much white between them at least
+    (mm); None where they find no room."""
+    group, (wide, high) = sheet.groups, sheet.room
+    rest = wide, high - height - (BAND if sheet.warning is not None else 0.0)
+    layout = pack([one.size for one in group], rest, tuple(pairs_of(group)))
+    if layout is None or layout.white < white:
+        return None
+    low = settled(group, layout)
+    risen = replace(low, page=sheet.room, corners=tuple(at + 1j * height for at in low.corners))
+    return placed(group, risen, sheet.strip, sheet.lang, sheet.warning)
 
 
 def standing(sheet: Sheet, grids: Iterable[Grid]) -> tuple[Grid, complex] | None:

@@ -67,12 +67,12 @@ def _full(fig: CentreFigure, found: tuple[Direct, ...]) -> Words:
     """Which are full lines of the polygon: those whose place is known, and not one of which a line only is."""
     known = tuple(one for one in found if one.centre is not None)
     if known == found:
-        return Words("。在瞬心多边形上用实线表示。", ". In the polygon they are drawn as full lines.")
+        return Words("。在瞬心多边形上用实线表示。", ". In the circle diagram they are drawn as full lines.")
     names, one = _names(fig, known), len(known) == 1
     drawn = ", whose place is known, is drawn as a full line" if one else ", whose places are known, are full lines"
     return Words(
         f"。在瞬心多边形上，位置已知的 {names.zh} 用实线表示。" if known else "。",
-        f". In the polygon {names.en}{drawn}." if known else ".",
+        f". In the circle diagram {names.en}{drawn}." if known else ".",
     )
 
 

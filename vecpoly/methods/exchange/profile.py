@@ -197,9 +197,11 @@ def _told(profile: CamProfile, found: Osculating, turn: float) -> Words:
     hollow = Words("（内凹）", " (hollow)") if found.radius < 0 else Words("", "")
     return (
         Words(
-            f"凸轮 {link} 的廓线用反转法作出，转到 $φ_{link}$ = {number(degrees(turn))}°；在过接触点 ${t}$ 的公法线上，"
-            f"用哈特曼法作出曲率中心 ${k}$（{curve.zh}在该处的曲率半径 $ρ$ = {size} mm",
-            f"The profile of cam {link} is drawn by inversion and turned to $φ_{link}$ = {number(degrees(turn))}°. "
+            f"凸轮 {link} 的廓线及其曲率中心在另纸上作出，本图只取其结果：廓线用反转法作，转到 $φ_{link}$ = "
+            f"{number(degrees(turn))}°；曲率中心 ${k}$ 用哈特曼法作，在过接触点 ${t}$ 的公法线上"
+            f"（{curve.zh}在该处的曲率半径 $ρ$ = {size} mm",
+            f"The profile of cam {link} and its centre of curvature are constructed on a sheet apart; only what they "
+            f"give is taken here. The profile, drawn by inversion, is turned to $φ_{link}$ = {number(degrees(turn))}°. "
             f"Hartmann's construction gives the centre of curvature ${k}$ on the common normal through ${t}$ (radius "
             f"of curvature of the {curve.en} there: $ρ$ = {size} mm",
         )

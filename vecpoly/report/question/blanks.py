@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from ...board.acts import Compute
 from ...board.construction import Reading
 from ...designs.inversion.positions import MANY, Positions
+from ...devices.base import Device
 from ...errors import UnknownNameError
 from ...mechanism.model import Mechanism
 from ...names import Kind, Named, Rel, parse_rel, written_unit
@@ -21,7 +22,7 @@ from ..statement.asked import in_order, of_machines
 from ..statement.further import IF_ANY, further, number_in
 from ..statement.meant import meant_by
 from ..values import asked_as, called
-from .columns import HEADS, WITH_UNIT, Cells, headed, in_columns, is_headed
+from .columns import HEADS, UNFRAMED, WITH_UNIT, Cells, Framed, headed, in_columns
 from .found import as_found
 from .framed.readings import AWAY
 from .ruled import NONE, RuledTable
@@ -35,16 +36,18 @@ _SPEEDS = frozenset(("omega_m", "omega_max", "omega_min"))  # of a machine: size
 _ON_THE_WAY, _ASKED = Words("中间量", "Intermediate results"), Words("所求量", "Required")
 
 
-def empty_table(solution: Solution, lang: Lang, lined: frozenset[str] = frozenset()) -> RuledTable:
+def empty_table(solution: Solution, lang: Lang, framed: Framed = UNFRAMED) -> RuledTable:
     """What is asked, by kinds as it is asked and each kind in the order in which it is found, with room for what is
-    read, what it comes to, and where it points; what has to be known on the way comes before. lined: the symbols of
-    what has a line in a frame; where all that is read has one its length stands there, and here its value."""
+    read, what it comes to, and where it points; what has to be known on the way comes before. framed: what has its
+    place in a frame, and none here."""
     if all_sought(solution):
         return _solutions(solution, lang)
-    rows = list(_in_order([*_between(solution, lang)], solution, lang))
-    if are_lined(solution, lined):
-        rows = [(row[0], row[1] if is_headed(row) else NONE, *row[2:]) for row in rows]
-    return in_columns(rows, lang)
+    return in_columns(list(_in_order([*_between(solution, lang)], solution, lang, framed)), lang)
+
+
+def is_framed(solution: Solution, framed: Framed) -> bool:
+    """Whether all that is asked or computed has its place in a frame: nothing is left for a table."""
+    return not all_sought(solution) and not any(_in_order([*_between(solution, "en")], solution, "en", framed))
 
 
 def are_lined(solution: Solution, lined: frozenset[str]) -> bool:
@@ -54,12 +57,12 @@ def are_lined(solution: Solution, lined: frozenset[str]) -> bool:
     return bool(read) and read <= lined and not any(rel.is_vector for rel in on_the_way(solution))
 
 
-def _in_order(first: list[Cells], solution: Solution, lang: Lang) -> Iterator[Cells]:
+def _in_order(first: list[Cells], solution: Solution, lang: Lang, framed: Framed) -> Iterator[Cells]:
     """What has to be known on the way comes before what is asked."""
     yield from first
     if first and len(in_order(solution)) == 1:
         yield headed(_ASKED.of(lang))
-    yield from _sought(solution, lang)
+    yield from _sought(solution, lang, framed)
 
 
 def all_sought(solution: Solution) -> bool:
@@ -86,16 +89,17 @@ def _solutions(solution: Solution, lang: Lang) -> RuledTable:
     return RuledTable(heads, rows, widths, "l" + "c" * _ROOM, lang=lang)
 
 
-def _sought(solution: Solution, lang: Lang) -> Iterator[Cells]:
+def _sought(solution: Solution, lang: Lang, framed: Framed) -> Iterator[Cells]:
     """A row for each quantity, under the name of its kind where there are several kinds of them."""
     groups = in_order(solution)
     for group, keys in groups:
-        if len(groups) > 1:
+        rows = list(_by_solution(as_found(keys, solution), solution, lang, framed))
+        if len(groups) > 1 and rows:
             yield headed(group.called(len(keys), lang) if group is not None else _OTHERS.of(lang))
-        yield from _by_solution(as_found(keys, solution), solution, lang)
+        yield from rows
 
 
-def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterator[Cells]:
+def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang, framed: Framed) -> Iterator[Cells]:
     """Their rows; those of each of several solutions under its number, which stands in their subscripts."""
     readings = solution.construction.readings
     numbers = {
@@ -105,10 +109,14 @@ def _by_solution(keys: Sequence[str], solution: Solution, lang: Lang) -> Iterato
     before, more = 0, further(readings)
     for key in sorted(keys, key=numbers.__getitem__):
         one, number = solution.answers.get(key), numbers[key]
+        row = _none(readings[key], solution, lang) if one is None else _row(one, solution, lang)
+        row = framed.left_of(row, readings[key].symbol.replace(AWAY, ""))
+        if all(cell == NONE for cell in (*row[1:3], row[4])):
+            continue
         if number != before and len({*numbers.values()} - {0}) > 1:
             yield headed(_SOLVED.of(lang).format(number) + (IF_ANY.of(lang) if key in more else ""))
         before = number
-        yield _none(readings[key], solution, lang) if one is None else _row(one, solution, lang)
+        yield row
 
 
 def _row(one: Answer, solution: Solution, lang: Lang) -> Cells:
@@ -178,7 +186,10 @@ def _between(solution: Solution, lang: Lang) -> Iterator[Cells]:
 
 
 def on_the_way(solution: Solution) -> list[Rel]:
-    """The velocities and accelerations that are computed, neither asked nor given."""
+    """The velocities and accelerations that are computed, neither asked nor given; none of a device, of which it is for
+    the solver to see what is needed."""
+    if isinstance(solution.problem.subject, Device):
+        return []
     known = {*solution.answers, *(_bare(datum.symbol) for datum in solution.problem.given.data)}
     keys = dict.fromkeys(act.key for act in solution.construction.acts if isinstance(act, Compute))
     return [rel for key in keys if (rel := _motion(key)) is not None and not known & {key, _bare(rel.symbol)}]

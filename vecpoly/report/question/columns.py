@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import zip_longest
+from typing import NamedTuple
 
 from ...typeset.box import MM
 from ...typeset.words import layout_words
@@ -30,6 +31,22 @@ _COUNT = 20.0  # mm for a count, a yes or a class, where two blocks have room si
 _FEW = 6  # rows that do not stand in two blocks side by side
 
 
+class Framed(NamedTuple):
+    """The symbols of what has in a frame a line for its length on paper, and of what has one for its value."""
+
+    lined: frozenset[str] = frozenset()
+    valued: frozenset[str] = frozenset()
+
+    def left_of(self, row: Cells, symbol: str) -> Cells:
+        """The row without what has its place in a frame."""
+        name, paper, value, unit, way = row
+        paper = NONE if symbol in self.lined else paper
+        return name, paper, NONE if symbol in self.valued else value, unit, way
+
+
+UNFRAMED = Framed()
+
+
 def headed(name: str) -> Cells:
     """The name of a group of rows."""
     return f"**{name[:1].upper()}{name[1:]}**", "", "", "", ""
@@ -38,9 +55,9 @@ def headed(name: str) -> Cells:
 def in_columns(rows: Sequence[Cells], lang: Lang) -> RuledTable:
     """The table of these rows, as wide as the squares above it; many rows of a few short cells in two blocks side by
     side."""
-    if all(row[2] for row in rows if not is_headed(row)):
+    if all(row[2] not in ("", NONE) for row in rows if not is_headed(row)):
         return _places(rows, lang)
-    kept = [i for i in range(len(HEADS)) if i in (0, 2) or any(not is_headed(row) and row[i] != NONE for row in rows)]
+    kept = [i for i in range(len(HEADS)) if i == 0 or any(not is_headed(row) and row[i] != NONE for row in rows)]
     heads, cells = [HEADS[i].of(lang) for i in kept], [[row[i] for i in kept] for row in rows]
     widths, align = _widths(rows, kept), "lcccc"[: len(kept)]
     if kept == [0, 2] and 2 * (widths[0] + _COUNT) <= COLUMN / MM:
@@ -76,7 +93,7 @@ def _widths(rows: Sequence[Cells], kept: Sequence[int]) -> list[float]:
     beside long names."""
     named = max(layout_words(row[0], CELL.em).width for row in rows if not is_headed(row)) + 2 * PAD + 1.0
     for widths in (_WIDTHS, _LEAST):
-        others = [_PLACED if i == 2 and any(row[i] for row in rows) else widths[i] for i in kept[1:]]
+        others = [_PLACED if i == 2 and any(row[i] not in ("", NONE) for row in rows) else widths[i] for i in kept[1:]]
         if named + sum(others) <= COLUMN / MM:
             break
     return [min(max(named, _WIDTHS[0]), _BROAD, max(COLUMN / MM - sum(others), _WIDTHS[0])), *others]

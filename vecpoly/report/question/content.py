@@ -16,12 +16,13 @@ from ..content import Objects
 from ..flow.base import Block
 from ..flow.blocks import Drawing, Heading
 from ..plates.sketch import sketch_of
-from .blanks import are_lined, empty_table
+from .blanks import are_lined, empty_table, is_framed
+from .columns import Framed
 from .equation_rows import equation_rows
 from .framed.fields import FIELDS
 from .framed.frames import BORDER
 from .framed.known import begun, enlarged, is_circle
-from .framed.readings import lined
+from .framed.readings import lined, valued
 from .lined import lined as words_for
 from .room import working_room
 from .sketches import sketching, to_sketch
@@ -53,6 +54,8 @@ def _working(solution: Solution, foot: Sequence[Block], lang: Lang) -> list[Bloc
     """Squares to work on with this at their foot; frames between them where something is sketched."""
     name, room = WORKING.of(lang), working_room(solution)
     titles = to_sketch(solution, lang)
+    if not (room or foot or titles):
+        return []
     return sketching(name, room, titles, foot, lang) if titles else working(name, room, foot, lang)
 
 
@@ -65,10 +68,15 @@ def question(solution: Solution, sheets: Construction, lang: Lang, objects: Obje
     Which links a joint connects is seen on the drawing, where there is one: counting them is what is asked.
     """
     figures, blank = solution.construction.figures, sheets.figures
-    lengths = lined(sheets)
-    read = all(one.reading.mm is not None for one in solution.answers.values()) and not are_lined(solution, lengths)
-    title, table = _READ if read else _FOUND, empty_table(solution, lang, lengths)
-    foot = [Heading(title.of(lang), 3, lang), table, *words_for(solution.problem.explain, lang)]
+    framed = Framed(lined(sheets), valued(sheets))
+    read = all(one.reading.mm is not None for one in solution.answers.values()) and not are_lined(
+        solution, framed.lined
+    )
+    title, answered = _READ if read else _FOUND, words_for(solution.problem.explain, lang)
+    if is_framed(solution, framed):
+        foot = [*answered]
+    else:
+        foot = [Heading(title.of(lang), 3, lang), empty_table(solution, lang, framed), *answered]
     shown = isinstance(solution.problem.subject, Structure) and solution.construction.figure(View.MECHANISM) is not None
     told = shown and bool(solution.problem.statement.zh)  # which links drive it stands in the statement
     return ({"given": ""} if told else {}) | {

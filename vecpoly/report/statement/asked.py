@@ -204,7 +204,8 @@ def _load_told(kind: Words, key: str, symbol: str, solution: Solution) -> Words:
     if way is not None and first != key and way_of(first) is None:
         again = symbol == f"${solution.construction.readings[first].symbol}$"
         if again:
-            return Words(f"再用{way.zh}求 {symbol}", f"{symbol} again by {_ARTICLE.get(way.en, '')}{way.en}")
+            by = f"by {_ARTICLE.get(way.en, '')}{way.en}"
+            return Words(f"{symbol} 的校核值（{way.zh}）", f"{symbol} as a check, {by}")
         return Words(f"{symbol}（{way.zh}）", f"{symbol} ({way.en})")
     return kind + Words("", " ") + Words(*(called(symbol.strip("$"), key, lang) for lang in ("zh", "en")))
 

@@ -17,8 +17,8 @@ from .polygon import Polygon
 NONE = Words("转子已动平衡。", "The rotor is in dynamic balance.")
 COUPLE = Words(
     "转子静平衡而不动平衡，为力偶不平衡：两平面内所需的质径积等值反向。",
-    "The rotor is in static but not in dynamic balance: this is a couple unbalance. What the two planes need is equal "
-    "and opposite.",
+    "The rotor is in static but not in dynamic balance: this is a couple unbalance. The mass-radius products that the "
+    "two planes need are equal and opposite.",
 )
 BOTH = Words(
     "转子静、动都不平衡，且两平面内的矢量不共线，为动不平衡。",

@@ -225,13 +225,13 @@ def brings(part: Repeated) -> Words:
     if part.higher < 0:
         return Words(
             "。它只须起一个高副的作用，虚约束数为：",
-            ". It need do no more than a higher pair; its redundant constraints number:",
+            ". It need do no more than a higher pair; the number of its redundant constraints is:",
         )
     one = Words("，是虚约束。", ": redundant. ")
     if not part.links:
-        return one + Words("虚约束数为：", "Its redundant constraints number:")
+        return one + Words("虚约束数为：", "The number of its redundant constraints is:")
     return one + Words(
         f"这部分有 {len(part.links)} 个构件、{part.lower} 个低副、{part.higher} 个高副，虚约束数为：",
         f"It has {len(part.links)} link{'s' * (len(part.links) != 1)}, {part.lower} lower "
-        f"and {part.higher} higher pairs; its redundant constraints number:",
+        f"and {part.higher} higher pairs; the number of its redundant constraints is:",
     )

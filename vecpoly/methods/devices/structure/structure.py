@@ -207,7 +207,7 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         if len(found.repeated) == 1:
             return bench.worked(P_REDUNDANT, terms)
         board.formula("p′", terms, "")
-    board.step(Words("虚约束总数：", "The redundant constraints number in all:"))
+    board.step(Words("虚约束总数：", "The number of redundant constraints in all:"))
     return bench.stated(P_REDUNDANT, float(found.redundant))
 
 

@@ -11,12 +11,13 @@ from ....algebra.quantity import Quantity
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
-from ....mechanism.asked.forces import load_named
+from ....mechanism.asked.forces import load_named, load_symbol
 from ....mechanism.loads import Force
 from ....names import At, Named, ascii_key
 from ....plane import Line, Points, Reals, cross, foot, nominal, unit
 from ...desk import POLE
 from ...kinematics.image import found_tip
+from ..closing.thrust import opposite_name
 from ..lines.letters import arm_about_pole, pair_symbol
 from ..lines.pairs import Pair
 from ..state import Statics
@@ -71,7 +72,7 @@ def thrust_arm(st: Statics, pane: Pane, tips: Tips, thrust: Force, way: int) -> 
     letters = pins if square else arm_about_pole(named.symbol)
     arm = Arm(mm=st.board.measure(start, end, letters), sign=np.where(np.abs(side) < NO_LENGTH, 0, np.sign(side))[()])
     _draw_force(st, pane, tip, along, named.symbol)
-    _draw_force(st, pane, start, -along, named.symbol)
+    _draw_force(st, pane, start, -along, load_symbol(opposite_name(thrust)))
     if arm.way and not square:
         _draw_arm(st, pane, tip, end, letters, start)
     return arm

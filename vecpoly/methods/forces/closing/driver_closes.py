@@ -89,8 +89,8 @@ def _closed_by_frame(st: Statics, held: Held, load: Resultant) -> Words:
     """The frame alone answers the known forces: in their line, or beside it where couples act too."""
     number, frame = st.mech.number(held.link), st.named(FRAME, held.link).symbol
     couples = [f"${symbol}$" for symbol, size in couples_on(st, held.link) if nominal(size)]
+    several = len(load.forces) > 1
     if couples:
-        several = len(load.forces) > 1
         return Words(
             f"取构件 {number} 为分离体：机架反力 ${frame}$ 与 {load.symbols.zh}{' 的合力' if several else ' '}"
             f"等值、反向，二者构成的力偶与 {'、'.join(couples)} 平衡。",
@@ -100,7 +100,8 @@ def _closed_by_frame(st: Statics, held: Held, load: Resultant) -> Words:
         )
     return Words(
         f"取构件 {number} 为分离体：平衡力（矩）已求出，作用于他处，故 {load.symbols.zh} 只由机架反力 "
-        f"${frame}$ 平衡，二者等值、反向、共线。",
+        f"${frame}$ 平衡，{f'其合力与 ${frame}$ ' if several else '二者'}等值、反向、共线。",
         f"Isolate link {number}: the balancing load is known and acts elsewhere, so {load.symbols.en} and the frame's "
-        f"reaction ${frame}$ alone balance, equal and opposite in one line.",
+        f"reaction ${frame}$ alone balance{f': the resultant of the former and ${frame}$ are' if several else ','} "
+        "equal and opposite in one line.",
     )

@@ -90,18 +90,14 @@ def beside(mech: Mechanism, force: Force, pin: str) -> list[str]:
 def _outer(desk: Desk, loads: Loads, force: Force) -> tuple[Force, ...]:
     if is_strut(desk.mech, loads, force):
         return _on_its_ends(desk, force)
-    return _on_its_links(desk, force, burdened=loads.burdens(force) or _rubs(loads, force))
+    return _on_its_links(desk, force, _burdens(loads, force))
 
 
-def _on_its_links(desk: Desk, force: Force, *, burdened: bool) -> tuple[Force, Force]:
-    """The thrust on the piston, and the opposite one on the barrel: both along the line of the pins."""
+def _on_its_links(desk: Desk, force: Force, said: Words) -> tuple[Force, Force]:
+    """The thrust on the piston, and the opposite one on the barrel: both along the line of the pins. said: why the
+    cylinder is no two-force member."""
     i, j = desk.mech.number(force.link), desk.mech.number(force.against)
     symbol, back = load_symbol(force.name), load_symbol(opposite_name(force))
-    why = Words(
-        " 的构件上另有载荷、质量或摩擦，不是二力构件：",
-        " carries loads or masses, or something rubs there, so it is no two-force member:",
-    )
-    said = why if burdened else Words("：", ":")
     pair, pins = f"{force.against}-{force.link}", f"{force.foot}{force.point}"
     desk.board.step(
         Words(
@@ -156,6 +152,23 @@ def _on_its_ends(desk: Desk, force: Force) -> tuple[Force, ...]:
         if base == FRAME
         else (push, replace(push, name=opposite_name(force), link=base, point=force.foot, direction=along + np.pi))
     )
+
+
+def _burdens(loads: Loads, force: Force) -> Words:
+    """What makes a cylinder more than a two-force member; a colon alone where nothing on its links does."""
+    pair = (force.link, force.against)
+    holds = {
+        Words("有质量", "whose links have masses"): any(loads.mass(link) for link in pair),
+        Words("受其他载荷", "whose links carry other loads"): any(
+            load != force for at in pair for load in loads.on(at)
+        ),
+        Words("有摩擦", "in which there is friction"): _rubs(loads, force),
+    }
+    found = [words for words, holding in holds.items() if holding]
+    if not found:
+        return Words("：", ":")
+    zh, en = "、".join(one.zh for one in found), " and ".join(one.en for one in found)
+    return Words(f" 的构件{zh}，不是二力构件：", f", {en}, is no two-force member:")
 
 
 def _rubs(loads: Loads, force: Force) -> bool:

@@ -62,7 +62,7 @@ def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corne
     vertices, x = closed(st, pane, letters, Equation(left=(*terms, inner.sought(st), first.sought(st))), terms)
     n = len(terms)
     corner_j, corner_x = (letters[n], vertices[n]), (letters[n + 1], x)
-    corner_k = _carry_on(st, pane, letters, d.link_k, corner_j, n + 1)
+    corner_k = _carry_on(st, pane, letters, (d.link_j, d.link_k, d.parent_k), corner_j, n + 1)
     return Corners(
         pane=pane, p=(corner_x, (letters[len(lead)], vertices[len(lead)])), j=corner_j, k=corner_k, x=corner_x
     )
@@ -78,14 +78,7 @@ def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corner
     terms = _forces(st, letters, d.link_k, 0)
     vertices, x = closed(st, pane, letters, Equation(left=(*terms, last.sought(st), inner.sought(st))), terms)
     n = len(terms)
-    end = _carry_on(st, pane, letters, d.link_j, (letters[n + 1], x), n + 1)
-    if len(_forces(st, letters, d.link_j, 0)):
-        st.board.remark(
-            Words(
-                f"再由 ${letters[n + 1]}$ 依次作构件 {d.link_j} 的已知力，至 ${end[0]}$。",
-                f" From ${letters[n + 1]}$ lay off the known forces of link {d.link_j}, to ${end[0]}$.",
-            )
-        )
+    end = _carry_on(st, pane, letters, (d.link_k, d.link_j, d.parent_j), (letters[n + 1], x), n + 1)
     return Corners(
         pane=pane, p=(end, (letters[0], 0j)), j=(letters[0], 0j), k=(letters[n], vertices[n]), x=(letters[n + 1], x)
     )
@@ -183,13 +176,33 @@ def closed(
 
 
 def _carry_on(
-    st: Statics, pane: Pane, letters: Sequence[str], link: str, start: tuple[str, Points], used: int
+    st: Statics, pane: Pane, letters: Sequence[str], links: tuple[str, str, str], start: tuple[str, Points], used: int
 ) -> tuple[str, Points]:
-    """Lay the known forces of the other link off, from a corner."""
+    """Lay the known forces of the other link off, from a corner: links are that whose polygon is closed, the other one,
+    and its neighbour outside, whose reaction closes."""
     letter, here = start
-    for i, force in enumerate(acting_on(st, link)):
+    forces = acting_on(st, links[1])
+    if forces:
+        _say_other(st, links, forces, letter, letters[used + len(forces)])
+    for i, force in enumerate(forces):
         tip = here + st.board.hand.carry_vector(force.vector)
         st.board.arrow(pane, here, tip, Role.GIVEN)
         letter, here = letters[used + i + 1], tip
         st.board.plot(pane, here, letter)
     return letter, here
+
+
+def _say_other(st: Statics, links: tuple[str, str, str], forces: Sequence[Acting], start: str, end: str) -> None:
+    """ΣF = 0 of the other link, on the same polygon: what the first does to it is known, one reaction is sought."""
+    (closed_link, link, outside), number = links, st.mech.number(links[1])
+    sought = st.named(outside, link).symbol
+    symbols = (st.named(closed_link, link).symbol, *(force.named.symbol for force in forces), sought)
+    sum_zero = f"{' + '.join(f'${symbol}$' for symbol in symbols)} = 0"
+    st.board.remark(
+        Words(
+            f"再列构件 {number} 的力平衡方程 {sum_zero}，力多边形由 ${start}$ 续作：依次作构件 {number} 的已知力，至 "
+            f"${end}$，封闭边即 ${sought}$。",
+            f" Then write the equilibrium of link {number}, {sum_zero}, and go on with the polygon from ${start}$: lay "
+            f"off the known forces of link {number}, to ${end}$; the side that closes is ${sought}$.",
+        )
+    )

@@ -39,9 +39,9 @@ def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
 
 
 def settle_slide(
-    st: Statics, links: tuple[str, ...], by: str, on: str, drawn: Drawn, about: tuple[str, Turning]
+    st: Statics, links: tuple[str, ...], by: str, on: str, drawn: Drawn, about: tuple[str, Turning], of: str = ""
 ) -> None:
-    """A slide's reaction on the line where ΣM = 0 of the link it acts on puts it:
+    """A slide's reaction on the line where ΣM = 0 of the link it acts on puts it (or of the other link, `of`):
     h = Σ M / R from the point of moments.
 
     Where no force is left the slide still passes on the couple −Σ M: the line has gone to infinity.
@@ -57,10 +57,23 @@ def settle_slide(
     if turning.way:
         at = _displaced(st, group_pane(st, *links), by, on, point, drawn, turning)
     else:
-        symbol = st.named(by, on).symbol
-        st.board.remark(Words(f"${symbol}$ 过 ${point}$ 点。", f" The reaction ${symbol}$ passes through ${point}$."))
+        st.board.remark(_through(st, st.named(by, on).symbol, of or on, about))
     st.settle(by, on, vector, at, drawn)
     _leave(st, links, by, on, pin, at, vector)
+
+
+def _through(st: Statics, symbol: str, link: str, about: tuple[str, Turning]) -> Words:
+    """Why a slide's reaction passes through the point of moments: all other forces on the link do."""
+    (point, turning), j = about, st.mech.number(link)
+    if turning.terms:
+        why = Words(
+            f"构件 {j} 的其余各力对 ${point}$ 点之矩互相抵消，故 ", f" About ${point}$ the moments on link {j} cancel:"
+        )
+    else:
+        why = Words(
+            f"构件 {j} 的其余各力都过 ${point}$ 点，故 ", f" All other forces on link {j} pass through ${point}$:"
+        )
+    return why + Words(f"${symbol}$ 过 ${point}$ 点。", f" the reaction ${symbol}$ passes through ${point}$ too.")
 
 
 def no_force(st: Statics, drawn: Drawn) -> bool:

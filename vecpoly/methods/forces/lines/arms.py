@@ -84,6 +84,14 @@ def acting_on(st: Statics, link: str) -> list[Acting]:
     return [force for force in st.known(link) if abs(nominal(force.vector)) > NO_LENGTH]
 
 
+def all_pass(st: Statics, link: str, point: str) -> bool:
+    """Whether all known forces on a link pass through its pin, which has no friction, and no couple turns it."""
+    if st.rho(point) or any(nominal(value) for _, value in every_couple(st, link)):
+        return False
+    at = st.desk.at[point]
+    return all(abs(nominal(foot(force.line, at) - at)) < NO_LENGTH for force in acting_on(st, link))
+
+
 def size_of(st: Statics, force: Acting) -> Quantity:
     """A force in N: given or computed, or read off the polygon on which it was found."""
     size = newtons(st, force) if force.drawn is None else measured(st, force.drawn).value

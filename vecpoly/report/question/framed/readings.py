@@ -118,6 +118,19 @@ def lined(sheets: Construction) -> frozenset[str]:
     return frozenset(match[1] for match in found if match is not None)
 
 
+def valued(sheets: Construction) -> frozenset[str]:
+    """The symbols of what has its value too in one of these frames: brought there by the scale, an angle, a place."""
+    notes = (mark for figure in sheets.figures for mark in figure.marks if isinstance(mark, Note) and mark.key == READ)
+    told = [mark.words.en for mark in notes]
+    found = ((_SYMBOL.match(one), told[n + 1 : n + 3]) for n, one in enumerate(told) if "/μ" not in one)
+    return frozenset(match[1] for match, behind in found if match is not None and _has_value(behind))
+
+
+def _has_value(behind: Sequence[str]) -> bool:
+    """Whether rooms that are followed by these have the value: with the scale between two, in degrees, or for y."""
+    return behind[0] in (_DEGREE, "$y$ =") or any("×" in one for one in behind)
+
+
 def is_measured(construction: Construction, figure: Figure) -> bool:
     """Whether anything is read off it."""
     place = _place(figure)
