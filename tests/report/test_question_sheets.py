@@ -403,7 +403,6 @@ def test_a_furnace_door_is_pictured_closed_and_open() -> None:
         ("function-log", "lg $x$", "log₁₀ $x$"),
         ("8-9", "$φ_{1}$ = 30°，$x_{C1}$ = 78 mm", "$φ_{1}$ = 30°, $x_{C1}$ = 78 mm"),
         ("8-6", "(55, −79) mm、动坐标轴 $x′$", "at (55, −79) mm, its axis $x′$ at 90°"),
-        ("two-stroke-flywheel", "420（30°），150（90°），", "420 (30°), 150 (90°), "),
         ("7-4", "367.7 W（120°），", "367.7 W (120°), "),
     ],
 )
