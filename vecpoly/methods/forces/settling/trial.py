@@ -18,7 +18,7 @@ from ....plane import Reals, dot, nominal
 from ....words import Words
 from ..balance.power_terms import idle
 from ..lines.links_of_group import Held
-from ..senses import velocity_of
+from ..senses import TURN, velocity_of
 from ..state import Statics
 
 BALANCE = ("balancing load", "")  # its key among the couples of a round; on no link
@@ -61,8 +61,8 @@ def _way(load: Load, value: float) -> Words:
     if isinstance(load, Force):
         against = Words("，与给定方向相反", ", against the direction given")
         return against if value < 0 else Words("", "")
-    turns = Words("（逆时针）", ", counter-clockwise") if value > 0 else Words("（顺时针）", ", clockwise")
-    return turns if value else Words("", "")
+    turns = TURN[1 if value > 0 else -1]
+    return Words(f"（{turns.zh}）", f", {turns.en}") if value else Words("", "")
 
 
 def _arm(st: Statics) -> float:
